@@ -270,6 +270,12 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// Whether something is called by this name, with a value in brackets.
+    fn is_function(&self, word: &str) -> bool {
+        let is_table = |results: &dyn Results| results.table(word).is_some();
+        super::is_function(word) || self.results.is_some_and(is_table)
+    }
+
     fn no_function(&self, word: &str) -> Fault {
         let reductions = response::words().filter(|_| self.results.is_some());
         let names = FUNCTIONS.iter().map(|row| row.0).chain(reductions);
@@ -356,3 +362,6 @@ fn is_function(word: &str) -> Fault {
 fn fault<T>(at: usize, fault: Fault) -> Read<T> {
     Err(Misfit { at, fault })
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,7 +2,7 @@
 
 use super::super::quantity::{Fault, Quantity};
 use super::super::{Misfit, Step};
-use super::{Parser, Read, fault};
+use super::{Parser, Read, fault, is_name};
 use crate::units::{Unit, UnitFault, split_quantity};
 
 impl Parser<'_> {
@@ -36,60 +36,105 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// Moves behind the unit that begins here: symbols, whole powers, products and quotients of them.
+    /// Moves behind the unit that begins here: symbols, whole powers, products and quotients of them, and brackets of such.
     fn unit_end(&mut self, number: &str) -> Read<()> {
-        let first = self.at;
-        loop {
-            let (at, word) = (self.at, self.word());
-            let is_parameter = (self.find)(word).is_some();
-            if !is_unit(word) && is_parameter {
-                let said = Fault::new(format!("{word:?} where a unit or an operator is expected"));
-                return fault(
-                    at,
-                    said.hint(format!("a product is written with *: {number}*{word}")),
-                );
-            }
-            if is_parameter && at > first {
-                return fault(at, two_meanings(word));
-            }
-            self.at += word.len();
-            if !is_unit(word) {
-                // what is wrong with it is said by the reader of units
-                return Ok(());
-            }
-            let mut end = self.at;
-            if self.peek() == Some('^') {
-                let exponent = self.rest()[1..].trim_start().trim_start_matches('-');
-                let digits = exponent.len()
-                    - exponent
-                        .trim_start_matches(|c: char| c.is_ascii_digit())
-                        .len();
-                if digits == 0 {
-                    let said = Fault::new("the power of a unit is a whole number");
-                    return fault(
-                        self.at,
-                        said.hint(format!(
-                            "put the quantity in brackets: ({number} {word})^ …"
-                        )),
-                    );
-                }
-                end = self.text.len() - exponent.len() + digits;
-            }
-            self.at = end;
-            if self.take(&['*', '·', '×', '/']).is_some() {
-                self.skip_blanks();
-                if is_unit(self.word()) {
-                    continue;
-                }
-            }
-            self.at = end;
-            // 2 m is no 2*m, which should be said where m is a parameter
-            return if is_parameter && end == at + word.len() {
-                fault(at, two_meanings(word))
-            } else {
-                Ok(())
-            };
+        let (first, word) = (self.at, self.word());
+        let is_parameter = (self.find)(word).is_some();
+        if is_parameter && !is_unit(word) || self.is_used(word) {
+            let said = Fault::new(format!("{word:?} where a unit or an operator is expected"));
+            return fault(
+                first,
+                said.hint(format!("a product is written with *: {number}*{word}")),
+            );
         }
+        self.at += word.len();
+        if !is_unit(word) {
+            // what is wrong with it is said by the reader of units
+            return Ok(());
+        }
+        loop {
+            self.unit_power(first, number)?;
+            let end = self.at;
+            let factor = match self.take(&['*', '·', '×', '/']) {
+                Some(_) => self.factor()?,
+                None => None,
+            };
+            let Some(length) = factor else {
+                self.at = end;
+                break;
+            };
+            self.at += length;
+        }
+        // 2 m is no 2*m, which should be said where m is a parameter
+        if is_parameter && self.at == first + word.len() {
+            return fault(first, two_meanings(word));
+        }
+        Ok(())
+    }
+
+    /// Moves behind the power of a symbol or of a bracket, where one stands here.
+    fn unit_power(&mut self, first: usize, number: &str) -> Read<()> {
+        let end = self.at;
+        if self.peek() != Some('^') {
+            self.at = end;
+            return Ok(());
+        }
+        let exponent = self.rest()[1..].trim_start().trim_start_matches('-');
+        let rest = exponent.trim_start_matches(|c: char| c.is_ascii_digit());
+        if rest.len() == exponent.len() {
+            let said = Fault::new("the power of a unit is a whole number");
+            let unit = &self.text[first..end];
+            return fault(
+                self.at,
+                said.hint(format!(
+                    "put the quantity in brackets: ({number} {unit})^ …"
+                )),
+            );
+        }
+        self.at = self.text.len() - rest.len();
+        Ok(())
+    }
+
+    /// How long the symbol or the bracket here is, if it goes on with the unit that an operator joins it to.
+    fn factor(&mut self) -> Read<Option<usize>> {
+        self.skip_blanks();
+        let (at, word) = (self.at, self.word());
+        if self.rest().starts_with('(') {
+            return Ok(self.unit_bracket());
+        }
+        if !is_unit(word) || self.is_used(word) {
+            return Ok(None);
+        }
+        if (self.find)(word).is_some() {
+            return fault(at, two_meanings(word));
+        }
+        Ok((!self.is_known(word)).then_some(word.len()))
+    }
+
+    /// How long a bracket is that has nothing but units in it, such as (rad/s).
+    fn unit_bracket(&self) -> Option<usize> {
+        let inner = &self.rest()[1..self.rest().find(')')?];
+        let is_power = |word: &str| word.chars().all(|c| c.is_ascii_digit());
+        let mut words = inner.split(|c| !is_name(c)).filter(|word| !word.is_empty());
+        let units = words.all(|word| {
+            is_power(word) || is_unit(word) && (self.find)(word).is_none() && !self.is_known(word)
+        });
+        let starts = inner.trim_start().starts_with(char::is_alphabetic);
+        (units && starts && Unit::parse(inner).is_ok()).then(|| inner.len() + 2)
+    }
+
+    /// Whether the word that begins here is called, as in min( … ), or owns what stands behind it, as in s.angle.
+    fn is_used(&self, word: &str) -> bool {
+        let rest = &self.rest()[word.len()..];
+        let part = rest.strip_prefix('.').and_then(|rest| rest.chars().next());
+        part.is_some_and(|c| c.is_alphabetic() || c == '_')
+            || rest.trim_start().starts_with('(') && self.is_function(word)
+    }
+
+    /// Whether a name that is no parameter stands for a result, or for time.
+    fn is_known(&self, word: &str) -> bool {
+        self.results
+            .is_some_and(|results| results.find(word).is_some())
     }
 }
 
