@@ -181,3 +181,115 @@ fn faults_of_cables_are_told_in_their_place() {
         "forces.hoist.through: a cable goes over at most 8 points, here 9 (a longer one is two, joined at a body)"
     );
 }
+
+/// A four-bar of which a muscle from ground goes over the coupler to the rocker.
+fn walker() -> Value {
+    let bodies = json!({
+        "ground": { "points": { "A": [0.0, 0.0], "D": [4.0, 0.0], "M": [-0.5, 0.8] } },
+        "crank": { "mass": 1.0, "inertia": 0.2, "com": [0.5, 0.0], "points": { "A": [0.0, 0.0], "B": [1.0, 0.0] },
+                   "pose": { "angle": 1.0 } },
+        "coupler": { "mass": 1.0, "inertia": 0.2, "com": [1.7, 0.0], "points": { "B": [0.0, 0.0], "C": [3.5, 0.0], "V": [1.5, 0.4] },
+                     "pose": { "position": [0.5, 0.9], "angle": 0.6 } },
+        "rocker": { "mass": 1.0, "inertia": 0.2, "com": [1.4, 0.0], "points": { "D": [0.0, 0.0], "C": [2.8, 0.0], "N": [1.2, -0.3] },
+                    "pose": { "position": [4.0, 0.0], "angle": 1.8 } } });
+    let joints = json!({ "a": pin("ground.A", "crank.A"), "b": pin("crank.B", "coupler.B"),
+        "c": pin("coupler.C", "rocker.C"), "d": pin("ground.D", "rocker.D") });
+    let turn = json!({ "type": "rotation", "body": "crank",
+        "motion": { "type": "constant_velocity", "start": 1.0, "velocity": SPEED } });
+    let mut model = model(bodies, joints, json!({ "motor": turn }));
+    model["forces"] = json!({
+        "muscle": { "type": "cable", "through": ["ground.M", "coupler.V", "rocker.N"], "stiffness": 1.0, "free_length": 0.0 },
+        "jack": { "type": "actuator", "between": ["ground.M", "coupler.V"], "force": 0.0 },
+        "band": { "type": "spring", "between": ["coupler.V", "rocker.N"], "stiffness": 0.0, "free_length": 0.0 } });
+    model
+}
+
+const SPEED: f64 = 1.7;
+
+/// Of the walker at an angle of its crank: the lengths of both stretches, and what they and the angle of the rocker change by it.
+fn stretches(theta: f64) -> ([f64; 2], [f64; 2], f64) {
+    let turned = |angle: f64, [x, y]: [f64; 2]| {
+        let (sin, cos) = angle.sin_cos();
+        [cos * x - sin * y, sin * x + cos * y]
+    };
+    let (crank, coupler, rocker) = (1.0, 3.5, 2.8);
+    let pin = turned(theta, [crank, 0.0]);
+    // the triangle of coupler, rocker and the line from the pin to D
+    let (dx, dy) = (4.0 - pin[0], -pin[1]);
+    let line = dx.hypot(dy);
+    let lean = (line * line + coupler * coupler - rocker * rocker) / (2.0 * line * coupler);
+    let phi = dy.atan2(dx) + lean.acos();
+    let tip = turned(phi, [coupler, 0.0]);
+    let psi = (pin[1] + tip[1]).atan2(pin[0] + tip[0] - 4.0);
+    // what the loop says of rates: r1 i e^(i theta) + r2 phi' i e^(i phi) = r3 psi' i e^(i psi)
+    let of_phi = -crank * (theta - psi).sin() / (coupler * (phi - psi).sin());
+    let of_psi = crank * (theta - phi).sin() / (rocker * (psi - phi).sin());
+    let (v, n) = (turned(phi, [1.5, 0.4]), turned(psi, [1.2, -0.3]));
+    let (via, end) = ([pin[0] + v[0], pin[1] + v[1]], [4.0 + n[0], n[1]]);
+    let via_rate = [-pin[1] - of_phi * v[1], pin[0] + of_phi * v[0]];
+    let end_rate = [-of_psi * n[1], of_psi * n[0]];
+    let stretch = |from: [f64; 2], to: [f64; 2], [a, b]: [[f64; 2]; 2]| {
+        let (x, y) = (to[0] - from[0], to[1] - from[1]);
+        let length = x.hypot(y);
+        (length, (x * (b[0] - a[0]) + y * (b[1] - a[1])) / length)
+    };
+    let (first, by_first) = stretch([-0.5, 0.8], via, [[0.0; 2], via_rate]);
+    let (second, by_second) = stretch(via, end, [via_rate, end_rate]);
+    ([first, second], [by_first, by_second], of_psi)
+}
+
+#[test]
+fn the_moment_arm_of_a_muscle_is_the_sum_over_its_path() {
+    let mut model = walker();
+    model["outputs"] = json!({ "crank": "d(force.muscle.length)/d(crank.angle)", "rocker": "d(muscle.length)/d(rocker.angle)",
+        "back": "d(rocker.angle)/d(muscle.length)", "share": "d(jack.length)/d(muscle.length)", "rest": "d(band.length)/d(crank.angle)" });
+    model["responses"] = json!({ "reach": "max(muscle.length)", "pull": "last(muscle.rate)" });
+    let run = outcome(&model);
+    completed(&run);
+    let of = |name: &str| column(&run, name);
+    for (row, theta) in of("crank.angle").into_iter().enumerate() {
+        let (_, [first, second], of_psi) = stretches(theta);
+        let arm = first + second;
+        for (name, known) in [
+            ("crank", arm),
+            ("rocker", arm / of_psi),
+            ("back", of_psi / arm),
+            ("share", first / arm),
+            ("rest", second),
+        ] {
+            let found = of(&format!("output.{name}"))[row];
+            let off = (found - known).abs() / known.abs().max(1.0);
+            assert!(off < 1e-12, "{name} at {theta}: {found}, not {known}");
+        }
+    }
+    let unit = |name: &str| {
+        let mut columns = run.trajectory.columns.iter();
+        columns.find(|one| one.name == name).map(|one| one.unit)
+    };
+    assert_eq!(unit("output.crank"), Some("m/rad"));
+    assert_eq!(unit("output.back"), Some("rad/m"));
+    assert_eq!(unit("output.share"), Some("1"));
+}
+
+#[test]
+fn formulas_take_lengths_and_rates_of_cables() {
+    let mut model = walker();
+    let free = outcome(&model);
+    completed(&free);
+    model["forces"]["brake"] = json!({ "type": "torque", "body": "crank",
+        "value": "=3 N*force.muscle.length + 2 N*s*muscle.rate*abs(muscle.rate)/(1 m/s) - 1 N*jack.length - 1 N*s*force.band.rate" });
+    let run = outcome(&model);
+    completed(&run);
+    // What the brake takes the motor gives.
+    let [with, without] = [&run, &free].map(|run| column(run, "driver.motor.effort"));
+    for (row, theta) in column(&run, "crank.angle").into_iter().enumerate() {
+        let ([first, second], by, _) = stretches(theta);
+        let rate = SPEED * (by[0] + by[1]);
+        let known = 3.0 * (first + second) + 2.0 * rate * rate.abs() - first - SPEED * by[1];
+        let found = without[row] - with[row];
+        assert!(
+            (found - known).abs() < 1e-11,
+            "at {theta}: {found}, not {known}"
+        );
+    }
+}

@@ -40,7 +40,8 @@ pub enum Argument {
     Body(String, Coordinate, Order),
     /// A coordinate of a point, never an angle \[m\].
     Point(PointRef, Coordinate, Order),
-    /// Distance of a spring's points \[m\], or angle of the second body of a torsion spring in the first \[rad\].
+    /// Distance of a spring's points or length of a cable's path \[m\], or angle of the second body of a torsion spring in the first
+    /// \[rad\].
     Spring(String, Order),
     /// Angle of a joint's second body in the first \[rad\].
     Turn(String, Order),

@@ -30,10 +30,9 @@ pub(super) fn headings(system: &System) -> Vec<Column> {
     outputs.map(heading).collect()
 }
 
-/// A quantity, and where the coordinates stand that change it.
+/// A sum of quantities, each with where the coordinates stand that change it.
 struct Part {
-    quantity: Quantity,
-    columns: Vec<Option<usize>>,
+    terms: Vec<(Quantity, Vec<Option<usize>>)>,
     /// By what it is measured \[m or rad\].
     scale: f64,
 }
@@ -54,29 +53,35 @@ pub(super) struct Ratios<'s> {
 }
 
 impl Part {
-    fn new(system: &System, measured: Measured) -> Self {
-        let quantity = Quantity::Value(measured);
-        let columns = quantity.columns().into_iter();
+    fn new(system: &System, sum: &[Measured]) -> Self {
+        let term = |measured: &Measured| {
+            let quantity = Quantity::Value(*measured);
+            let columns = quantity.columns().into_iter();
+            let columns = columns.map(|(body, axis)| system.layout.column(body, axis));
+            (quantity, columns.collect())
+        };
+        let turns = |one: &Measured| matches!(one, Measured::Turn { .. });
         Part {
-            columns: columns
-                .map(|(body, axis)| system.layout.column(body, axis))
-                .collect(),
-            scale: match measured {
-                Measured::Turn { .. } => 1.0,
-                Measured::Along { .. } | Measured::Distance { .. } => system.size,
+            terms: sum.iter().map(term).collect(),
+            scale: if sum.iter().all(turns) {
+                1.0
+            } else {
+                system.size
             },
-            quantity,
         }
     }
 
     /// Its change along a motion.
     fn along(&self, at: &Kinematics, tangent: &[f64]) -> f64 {
-        let (mut position, mut velocity) = ([0.0; BOTH], [0.0; BOTH]);
-        self.quantity.slopes(at, &mut position, &mut velocity);
-        let terms = position.iter().zip(&self.columns);
-        terms
-            .filter_map(|(slope, column)| Some(slope * tangent[(*column)?]))
-            .sum()
+        let change = |(quantity, columns): &(Quantity, Vec<Option<usize>>)| -> f64 {
+            let (mut position, mut velocity) = ([0.0; BOTH], [0.0; BOTH]);
+            quantity.slopes(at, &mut position, &mut velocity);
+            let terms = position.iter().zip(columns);
+            terms
+                .filter_map(|(slope, column)| Some(slope * tangent[(*column)?]))
+                .sum()
+        };
+        self.terms.iter().map(change).sum()
     }
 }
 
@@ -88,7 +93,8 @@ impl<'s> Ratios<'s> {
                 output,
                 parts: system.outputs[output]
                     .quantities
-                    .map(|measured| Part::new(system, measured)),
+                    .each_ref()
+                    .map(|sum| Part::new(system, sum)),
                 still: 0,
                 free: 0,
             }),

@@ -16,7 +16,7 @@ use std::fmt::Debug;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Quantities that a formula takes at most.
+/// Inputs that a formula takes at most.
 pub const MOST_ARGUMENTS: usize = 16;
 
 /// A function of some numbers with kinks, evaluated without allocation. `held` has a side for each kink; with none the values
@@ -43,8 +43,8 @@ pub trait Function: Debug + Send + Sync {
 pub struct Formula {
     /// Its arithmetic.
     pub function: Arc<dyn Function>,
-    /// What it takes.
-    pub arguments: Vec<Quantity>,
+    /// What it takes: with the index of its input each quantity, of which an input is the sum.
+    pub arguments: Vec<(usize, Quantity)>,
     /// Index of its first kink in [`Kinematics::sides`].
     pub first: usize,
     /// Index of the force that it is of; behind all forces those of states.
@@ -87,9 +87,10 @@ impl Strength {
 
 impl Formula {
     fn inputs(&self, at: &Kinematics) -> [f64; MOST_ARGUMENTS] {
-        let mut inputs = [0.0; MOST_ARGUMENTS];
-        for (input, quantity) in inputs.iter_mut().zip(&self.arguments) {
-            *input = quantity.value(at);
+        // what adds nothing at all, not even the sign of a zero
+        let mut inputs = [-0.0; MOST_ARGUMENTS];
+        for (input, quantity) in &self.arguments {
+            inputs[*input] += quantity.value(at);
         }
         inputs
     }
@@ -109,19 +110,20 @@ impl Formula {
     }
 
     fn columns(&self) -> Vec<(BodyId, Axis)> {
-        self.arguments.iter().flat_map(Quantity::columns).collect()
+        let quantities = self.arguments.iter().map(|(_, quantity)| quantity);
+        quantities.flat_map(Quantity::columns).collect()
     }
 
     fn each_slope(&self, at: &Kinematics, tell: &mut impl FnMut([f64; 2])) {
         let (inputs, held) = (self.inputs(at), self.held(at));
-        for (index, quantity) in self.arguments.iter().enumerate() {
+        for (input, quantity) in &self.arguments {
             if matches!(
                 quantity,
                 Quantity::Time | Quantity::Drive(_) | Quantity::State(_)
             ) {
                 continue;
             }
-            let by = self.function.slope(&inputs, index, held);
+            let by = self.function.slope(&inputs, *input, held);
             let (mut position, mut velocity) = ([0.0; BOTH], [0.0; BOTH]);
             quantity.slopes(at, &mut position, &mut velocity);
             for (position, velocity) in position.iter().zip(&velocity) {

@@ -129,17 +129,20 @@ fn slopes_are_the_derivatives_of_formulas() {
     };
     let measured = [along(1), along(3), slide, apart, turn];
     let quantities = measured.map(|one| [Quantity::Value(one), Quantity::Rate(one)]);
+    // the second of three adds to the first, as stretches of a cable do
     let formula = |arguments: &[Quantity]| {
+        let inputs = [&[0, 1][..], &[0, 0, 1]][arguments.len() - 2].iter();
         Strength::OfMotion(Arc::new(Formula {
             function: Arc::new(Mixed),
-            arguments: arguments.to_vec(),
+            arguments: inputs.copied().zip(arguments.iter().copied()).collect(),
             first: 0,
             force: 0,
         }))
     };
     let mut forces: Vec<(&str, Box<dyn Force>)> = Vec::new();
     for pair in &quantities {
-        let vector = [formula(pair), formula(&[Quantity::Time, pair[0]])];
+        let sum = [Quantity::Value(apart), pair[1], pair[0]];
+        let vector = [formula(&sum), formula(&[Quantity::Time, pair[0]])];
         for follows_body in [false, true] {
             let load = PointLoad {
                 at: second,

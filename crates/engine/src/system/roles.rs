@@ -187,8 +187,8 @@ pub struct ClearanceLink {
 pub struct OutputRatio {
     /// As the file names it.
     pub name: String,
-    /// What is divided, and by what.
-    pub(crate) quantities: [Measured; 2],
+    /// What is divided, and by what: sums.
+    pub(crate) quantities: [Vec<Measured>; 2],
     /// Of the ratio, in SI.
     pub(crate) unit: &'static str,
 }

@@ -1,6 +1,7 @@
 //! The names of what moves, for formulas.
 
 use super::Catalogue;
+use super::catalogue::Load;
 use crate::dimension::{Dimension, Powers};
 use crate::formula::{Argument, Coordinate, Order};
 use crate::joint::PointRef;
@@ -16,7 +17,7 @@ const BODY: [(&str, Coordinate, Order); 6] = [
 /// Of joints and torsion springs.
 const TURN: [(&str, Order); 2] = [("angle", Order::Value), ("omega", Order::Rate)];
 const SLIDE: [(&str, Order); 2] = [("slide", Order::Value), ("rate", Order::Rate)];
-/// Of springs.
+/// Of springs, actuators and cables.
 const STRETCH: [(&str, Order); 2] = [("length", Order::Value), ("rate", Order::Rate)];
 
 fn order(words: [(&str, Order); 2], word: &str) -> Option<Order> {
@@ -97,9 +98,14 @@ impl Catalogue {
         self.drivers.iter().find(|one| one.0 == name)?.1
     }
 
+    /// Springs, actuators and cables: what has a length or an angle.
+    fn stretching(&self) -> impl Iterator<Item = &Load> {
+        self.springs.iter().chain(&self.cables)
+    }
+
     /// Whether a spring is one of torsion; none where there is no such spring.
     pub(crate) fn spring_turns(&self, name: &str) -> Option<bool> {
-        let spring = self.springs.iter().find(|one| one.name == name)?;
+        let spring = self.stretching().find(|one| one.name == name)?;
         Some(spring.turns)
     }
 
@@ -118,7 +124,7 @@ impl Catalogue {
             let words = TURN.iter().filter(|_| joint.turns).chain(slides);
             names.extend(words.map(|row| format!("joint.{}.{}", joint.name, row.0)));
         }
-        for spring in &self.springs {
+        for spring in self.stretching() {
             let words = if spring.turns { TURN } else { STRETCH };
             names.extend(words.map(|row| format!("force.{}.{}", spring.name, row.0)));
         }

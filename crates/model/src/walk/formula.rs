@@ -47,6 +47,9 @@ impl Walk<'_> {
             Ok(Some((moving, _))) if !moving.has_arguments() => None,
             Ok(Some((moving, constants))) => {
                 if let Some(complaint) = misfit(&moving, wanted) {
+                    if self.is_of_parameters(text, wanted) {
+                        return None;
+                    }
                     let path = path.to_owned();
                     self.complain(node, Complaint { path, ..complaint });
                     return Some(None);
@@ -57,7 +60,8 @@ impl Walk<'_> {
             Ok(None) => None,
             // what is wrong with a table is told there
             Err(_) if self.has_faulty_function() => Some(None),
-            Err(Misfit { at, fault }) if names_a_part(text) => {
+            Err(_) if self.parameters.evaluate(text).is_ok() => None,
+            Err(Misfit { at, fault }) if names_a_part(text) || self.names_time(text) => {
                 let complaint = Complaint {
                     hint: fault.hint,
                     ..Complaint::new(path, fault.message)
@@ -67,6 +71,19 @@ impl Walk<'_> {
             }
             Err(_) => None,
         }
+    }
+
+    /// Whether a text that has no meaning as a formula has one where `t` is the tonne, as in `=9.81 kN/t*mass`.
+    fn is_of_parameters(&mut self, text: &str, wanted: Dimension) -> bool {
+        let value = self.parameters.evaluate(text);
+        let fits = |value: Quantity| !value.is_pure() && value.fits(wanted.powers());
+        value.is_ok_and(|value| value.is_some_and(fits))
+    }
+
+    /// Whether a text names time.
+    fn names_time(&self, text: &str) -> bool {
+        let mut words = text.split(|c: char| !c.is_alphanumeric() && c != '_');
+        words.any(|word| ["t", "time"].contains(&word) && !self.parameters.has(word))
     }
 
     /// An event, or nothing where it is faulty.

@@ -6,7 +6,7 @@ use crate::element::actuator::Actuator;
 use crate::element::cable::Tension;
 use crate::element::formula::Strength;
 use crate::element::load::{PointLoad, Torque};
-use crate::element::quantity::{Measured, Quantity};
+use crate::element::quantity::Quantity;
 use crate::element::spring::Spring;
 use crate::element::torsion_spring::TorsionSpring;
 use crate::element::{BodyId, Force as ForceElement, Marker};
@@ -57,11 +57,7 @@ impl Compiler<'_> {
         kind: &ForceKind,
     ) -> (Vec<Actuator>, ForceRole) {
         let markers: Vec<Marker> = through.iter().map(|point| self.marker(point)).collect();
-        let path = markers.windows(2).map(|pair| Measured::Distance {
-            first: pair[0],
-            second: pair[1],
-        });
-        let path: Vec<Measured> = path.collect();
+        let path = self.stretches(kind);
         let ForceKind::Cable {
             stiffness,
             damping,
@@ -183,7 +179,7 @@ impl Compiler<'_> {
     fn spring_role(&self, kind: &ForceKind, between: [BodyId; 2]) -> ForceRole {
         ForceRole::Spring {
             between,
-            measured: self.stretch(kind),
+            measured: self.stretches(kind)[0],
             is_actuator: matches!(kind, ForceKind::Actuator { .. }),
         }
     }

@@ -43,11 +43,16 @@ impl Compiler<'_> {
         let compiled = formula.compile(catalogue);
         let compiled = compiled.expect("the gate compiles each formula");
         let tables = self.tables(formula);
-        let arguments = compiled.arguments.iter();
+        let arguments = compiled.arguments.iter().enumerate();
+        let arguments = arguments.flat_map(|(input, argument)| {
+            let summands = self.quantities(argument).into_iter();
+            summands.map(move |quantity| (input, quantity))
+        });
+        let arguments = arguments.collect();
         let before = self.system.formulas.last();
         self.kinks.extend(&compiled.moving.kinks);
         let formula = Arc::new(Formula {
-            arguments: arguments.map(|one| self.quantity(one)).collect(),
+            arguments,
             function: Arc::new(Expression {
                 program: compiled.moving.program,
                 parameters: compiled.parameters,
@@ -71,7 +76,7 @@ impl Compiler<'_> {
         let before = self.system.formulas.last();
         self.kinks.push(FORCE);
         let formula = Arc::new(Formula {
-            arguments,
+            arguments: arguments.into_iter().enumerate().collect(),
             function,
             first: before.map_or(0, |before| before.kinks().end),
             force: self.system.forces.len(),
@@ -134,16 +139,20 @@ impl Compiler<'_> {
         let catalogue = Catalogue::of(self.model);
         for (name, text) in &self.model.outputs {
             let ratio = Ratio::read(text, &catalogue).expect("the gate reads each output");
-            let measured = |argument: &Argument| match self.quantity(argument) {
+            let measured = |quantity| match quantity {
                 Quantity::Value(measured) | Quantity::Rate(measured) => measured,
                 Quantity::Drive(driver) => self.driven(driver),
                 Quantity::Time | Quantity::State(_) => {
                     unreachable!("neither time nor a state is a quantity of a ratio")
                 }
             };
+            let sum = |argument| {
+                let quantities = self.quantities(argument).into_iter();
+                quantities.map(measured).collect()
+            };
             let output = OutputRatio {
                 name: name.clone(),
-                quantities: ratio.quantities.each_ref().map(measured),
+                quantities: ratio.quantities.each_ref().map(sum),
                 unit: ratio.unit(),
             };
             self.system.outputs.push(output);
@@ -174,38 +183,40 @@ impl Compiler<'_> {
         }
     }
 
-    fn quantity(&self, argument: &Argument) -> Quantity {
+    /// The quantities of which an argument is the sum.
+    fn quantities(&self, argument: &Argument) -> Vec<Quantity> {
         let (measured, order) = match argument {
-            Argument::Time => return Quantity::Time,
+            Argument::Time => return vec![Quantity::Time],
             Argument::State(name) => {
                 // the formula names one that there is
                 let index = self.model.states.get_index_of(name);
-                return Quantity::State(index.unwrap_or_default());
+                return vec![Quantity::State(index.unwrap_or_default())];
             }
             Argument::Driver(name) => {
                 // the formula names one that there is
                 let index = self.model.drivers.get_index_of(name);
-                return Quantity::Drive(index.unwrap_or_default());
+                return vec![Quantity::Drive(index.unwrap_or_default())];
             }
+            Argument::Spring(name, order) => (self.stretches(&self.model.forces[name].kind), order),
             Argument::Body(name, coordinate, order) => {
                 let body = self.body(name);
                 let origin = Marker {
                     body,
                     s: -self.com[body.0],
                 };
-                (coordinate_of(*coordinate, origin), order)
+                (vec![coordinate_of(*coordinate, origin)], order)
             }
             Argument::Point(point, coordinate, order) => {
-                (coordinate_of(*coordinate, self.marker(point)), order)
+                let point = self.marker(point);
+                (vec![coordinate_of(*coordinate, point)], order)
             }
-            Argument::Spring(name, order) => (self.stretch(&self.model.forces[name].kind), order),
             Argument::Turn(name, order) => {
                 let [first, second] = &self.model.joints[name].between;
                 let turn = Measured::Turn {
                     first: self.body(&first.body),
                     second: self.body(&second.body),
                 };
-                (turn, order)
+                (vec![turn], order)
             }
             Argument::Slide(name, order) => {
                 let joint = &self.model.joints[name];
@@ -217,36 +228,35 @@ impl Compiler<'_> {
                     second: self.marker(second),
                     axis: axis.unwrap_or_else(Vec2::x),
                 };
-                (along, order)
+                (vec![along], order)
             }
         };
-        match order {
-            Order::Value => Quantity::Value(measured),
-            Order::Rate => Quantity::Rate(measured),
-        }
+        let of = match order {
+            Order::Value => Quantity::Value,
+            Order::Rate => Quantity::Rate,
+        };
+        measured.into_iter().map(of).collect()
     }
 
-    /// What a spring's length or angle is.
-    pub(super) fn stretch(&self, kind: &ForceKind) -> Measured {
-        let distance = |[first, second]: &[PointRef; 2]| Measured::Distance {
+    /// What a spring's length or angle is the sum of; nothing where a force has none.
+    pub(super) fn stretches(&self, kind: &ForceKind) -> Vec<Measured> {
+        let distance = |first: &PointRef, second: &PointRef| Measured::Distance {
             first: self.marker(first),
             second: self.marker(second),
         };
         match kind {
             ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
-                distance(between)
+                vec![distance(&between[0], &between[1])]
             }
-            ForceKind::TorsionSpring { between, .. } => Measured::Turn {
+            ForceKind::Cable { through, .. } => {
+                let pairs = through.windows(2);
+                pairs.map(|pair| distance(&pair[0], &pair[1])).collect()
+            }
+            ForceKind::TorsionSpring { between, .. } => vec![Measured::Turn {
                 first: self.body(&between[0]),
                 second: self.body(&between[1]),
-            },
-            // these have no ends
-            ForceKind::Cable { .. } | ForceKind::Load { .. } | ForceKind::Torque { .. } => {
-                Measured::Turn {
-                    first: BodyId::GROUND,
-                    second: BodyId::GROUND,
-                }
-            }
+            }],
+            ForceKind::Load { .. } | ForceKind::Torque { .. } => Vec::new(),
         }
     }
 

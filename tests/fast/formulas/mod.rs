@@ -1,5 +1,7 @@
 //! Forces as functions of what moves, against closed forms.
 
+mod units;
+
 use crate::mechanisms::*;
 use linkdyn_engine::analysis::{Control, Family, Outcome, modes};
 use linkdyn_model::Given;
