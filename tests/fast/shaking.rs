@@ -64,6 +64,7 @@ fn shaking_is_the_balance_of_momentum() {
         ("scotch-yoke", &[]),
         ("quick-return", &[]),
         ("watt-i-lock", &["analysis.sample.to=115 deg"]),
+        ("engine", &[]),
         ("quick-return", &["drivers={}", "analysis.type=dynamics"]),
     ] {
         let model = models::load_bundled(name, sets);

@@ -4,6 +4,7 @@
 
 mod angles;
 mod lengths;
+mod pressures;
 mod times;
 
 use std::f64::consts::TAU;
@@ -38,6 +39,7 @@ pub fn suspicious(model: &Model, degrees: bool) -> Vec<Complaint> {
     gravity(model, &mut found);
     angles::angles(model, degrees, &mut found);
     clearances(model, &mut found);
+    found.extend(pressures::pressures(model));
     if let Some(analysis) = &model.analysis {
         speeds(model, analysis, &mut found);
     }
