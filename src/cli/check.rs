@@ -69,6 +69,9 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         .faults
         .iter()
         .for_each(|fault| complain(&format!("{}: {fault}", opened.label)));
+    if !check.refused.is_empty() {
+        return Err(opened.bad_input(Complaints(check.refused)));
+    }
     match Exit::from(check.status) {
         Exit::Done if check.faults.is_empty() => Ok(Exit::Done),
         Exit::Done => Ok(Exit::Fault),
@@ -216,6 +219,7 @@ fn suspicious(opened: &Opened, check: &mut Check) -> Vec<String> {
 /// The first line's last word.
 fn verdict(check: &Check) -> String {
     match check.status {
+        _ if !check.refused.is_empty() => "refused".into(),
         Status::Completed if check.faults.is_empty() => "sound".into(),
         Status::Completed => "faulty".into(),
         other => status_words(other),
@@ -228,6 +232,9 @@ fn to_json(opened: &Opened, check: &Check, suspicious: &[String]) -> Value {
     let parameters = opened.loaded.parameters.iter();
     let parameters = parameters.map(|p| (p.name.clone(), tolerances::to_json(p)));
     let words = |kind: AnalysisKind| analysis_words(kind).replace(' ', "_");
+    let refused = check.refused.iter().cloned();
+    let refused = refused.map(|complaint| opened.loaded.source.place(complaint).to_string());
+    let refused: Vec<String> = refused.collect();
     let missing = check
         .missing
         .iter()
@@ -262,6 +269,7 @@ fn to_json(opened: &Opened, check: &Check, suspicious: &[String]) -> Value {
             "free_journals": open,
         },
         "assembly_residual": check.assembly_residual,
+        "refused": refused,
         "missing": missing.collect::<Map<String, Value>>(),
         "lacks": lacks.collect::<Vec<Value>>(),
         "suspicious": suspicious,

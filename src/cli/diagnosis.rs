@@ -41,6 +41,9 @@ pub fn write(
         .faults
         .iter()
         .for_each(|fault| found.add(Severity::Wrong, fault));
+    for refused in &check.refused {
+        found.add(Severity::Wrong, &refused.to_string());
+    }
     if check.status != Status::Completed {
         let why = check.message.as_deref().unwrap_or(check.status.word());
         found.add(Severity::Wrong, why);

@@ -27,6 +27,7 @@ mod write;
 
 mod accuracy;
 mod acting;
+mod admission;
 mod allocate;
 mod allocations;
 mod architecture;

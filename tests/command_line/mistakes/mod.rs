@@ -87,8 +87,17 @@ fn typical_mistakes_are_answered_with_place_cause_and_mend() {
         }
         fs::write(&file, text).expect("written");
         let (status, _, mut said) = linkdyn(&folder, &["run", "model.json"]);
+        let (checked, told, refused) = linkdyn(&folder, &["check", "model.json", "--json"]);
+        let is_refused = [status, checked].map(|status| status == Some(2));
+        // `run` refuses a model without an analysis, which `check` is for.
+        let is_run_alone = mistake.what == "no analysis";
+        if !is_run_alone && (is_refused[0] != is_refused[1] || is_refused[0] && said != refused) {
+            wrong.push(format!(
+                "{}: check {checked:?}, said {refused:#?}",
+                mistake.what
+            ));
+        }
         if status == Some(0) {
-            let (_, told, _) = linkdyn(&folder, &["check", "model.json", "--json"]);
             let told: Value = serde_json::from_str(&told).expect("JSON");
             let suspicious = told["suspicious"].as_array().expect("a list").iter();
             said = suspicious

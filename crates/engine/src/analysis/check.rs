@@ -12,6 +12,7 @@ use super::assembly::{Assembled, assemble, check_driven, ranked, too_short, topo
 use super::control::Stop;
 use super::instants::{Instants, Sampled};
 use super::question::instants;
+use super::run::Prepared;
 use super::suspicious;
 use super::words::listed;
 use crate::graph::Topology;
@@ -21,15 +22,43 @@ use found::Undriven;
 use lacks::{lacks, missing};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{AnalysisKind, Checked, Model};
+use linkdyn_output::Status;
 use odd::{odd_springs, turned_over};
 use words::{freedom_text, words};
 
-/// Diagnoses a model.
+/// Diagnoses a model, and goes with its own analysis as far as the first instant, as `run` does.
 ///
 /// # Errors
-/// Faults of the input.
+/// Faults of the input that leave nothing to diagnose.
 pub fn check(model: &Checked) -> Result<Check, Complaints> {
-    let system = compile(&model.with_clearances(|_| false), AnalysisKind::Assembly)?;
+    let admitted = admit(model);
+    let mut check = match (diagnose(model), &admitted) {
+        (Ok(check), _) => check,
+        (Err(_), Err(Stop::Input(refused))) => return Err(refused.clone().into()),
+        (Err(complaints), _) => return Err(complaints),
+    };
+    match admitted {
+        Err(Stop::Input(refused)) => check.refused = refused,
+        Err(Stop::Failed { status, message }) if check.status == Status::Completed => {
+            check.status = status;
+            check.message = Some(message);
+        }
+        Ok(()) | Err(Stop::Failed { .. }) => {}
+    }
+    Ok(check)
+}
+
+/// Whether the model's own analysis, where it has one, comes to its first instant.
+fn admit(model: &Checked) -> Result<(), Stop> {
+    if model.analysis.is_none() {
+        return Ok(());
+    }
+    let prepared = Prepared::new(model).map_err(|complaints| Stop::Input(complaints.0))?;
+    prepared.admit()
+}
+
+fn diagnose(model: &Checked) -> Result<Check, Complaints> {
+    let mut system = compile(&model.with_clearances(|_| false), AnalysisKind::Assembly)?;
     let topology = topology(&system);
     let names: Vec<&str> = system
         .joints
@@ -62,6 +91,10 @@ pub fn check(model: &Checked) -> Result<Check, Complaints> {
             .flat_map(|end| suspicious::tables(model, end)),
     );
     let inputs = Inputs::at_time(&system, 0.0);
+    if journals_move(model) && matches!(assemble(&system, &inputs), Err(Stop::Failed { .. })) {
+        // Journals that move may have places that ideal pins do not allow.
+        system.initial.clear();
+    }
     let assembled = match assemble(&system, &inputs) {
         Ok(assembled) => assembled,
         Err(Stop::Input(complaints)) => return Err(complaints.into()),

@@ -54,6 +54,11 @@ impl Stop {
     pub fn failed(status: Status, message: String) -> Self {
         Stop::Failed { status, message }
     }
+
+    /// Whether a run ends like this.
+    pub(super) fn is_of(&self, of: Status) -> bool {
+        matches!(self, Stop::Failed { status, .. } if *status == of)
+    }
 }
 
 impl From<Complaint> for Stop {

@@ -16,9 +16,10 @@ use super::{assembly, belts, driven, dynamics, statics};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{Checked, unheld};
-use linkdyn_output::{Column, Quality, Report, Stopwatch, Trajectory};
+use linkdyn_output::{Column, Quality, Report, Status, Stopwatch, Trajectory};
 use std::fmt;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 /// Runs the model's analysis.
 ///
@@ -115,9 +116,7 @@ impl Prepared {
     pub fn run(&self, control: &Control) -> Result<Outcome, Complaints> {
         let mut solved = match self.solve(control) {
             Ok(found) => found,
-            Err(Stop::Input(complaints)) => {
-                return Err(with(complaints.into(), self.unheld.as_ref()));
-            }
+            Err(Stop::Input(complaints)) => return Err(complaints.into()),
             Err(Stop::Failed { status, message }) => {
                 let trajectory = Recorder::new(&self.system, self.question.contents, 0).trajectory;
                 // Of no position there is no residual.
@@ -235,8 +234,28 @@ impl Prepared {
         evaluation.answers(report)
     }
 
+    /// Goes where a run has its first instant, by the same way.
+    ///
+    /// # Errors
+    /// What [`Prepared::run`] refuses, and why a run ends before it has anything.
+    pub(super) fn admit(&self) -> Result<(), Stop> {
+        let control = Control::default();
+        control.interrupted.store(true, Ordering::Relaxed);
+        match self.solve(&control) {
+            Err(stop) if !stop.is_of(Status::Interrupted) => Err(stop),
+            Ok(_) | Err(_) => Ok(()),
+        }
+    }
+
     /// What the analysis finds.
     fn solve(&self, control: &Control) -> Result<Solved<'_>, Stop> {
+        self.found(control).map_err(|stop| match stop {
+            Stop::Input(complaints) => Stop::Input(with(complaints.into(), self.unheld.as_ref()).0),
+            failed @ Stop::Failed { .. } => failed,
+        })
+    }
+
+    fn found(&self, control: &Control) -> Result<Solved<'_>, Stop> {
         let (system, question) = (&self.system, &self.question);
         let prescribed = || {
             let (trajectory, report, between) = driven::run(system, question.driven(), control)?;

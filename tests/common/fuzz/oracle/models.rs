@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use linkdyn::cli::Said;
 use linkdyn_engine::analysis::{self, Control};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{self, DriverKind, JointKind, Loaded, Model};
@@ -110,6 +111,18 @@ fn accepted(trial: &mut Trial, rng: &mut Rng, base: &Base, loaded: &Loaded) {
     }
 }
 
+/// What `run` refuses `check` refuses, in the same words, and nothing else.
+fn refuses_alike(trial: &mut Trial, arguments: &[String], run: &Said) {
+    let Some(check) = trial.run(arguments, &[1, 2, 3], CHECK) else {
+        return;
+    };
+    let [run, check] = [run, &check].map(|said| (said.status == 2).then_some(&said.stderr));
+    if run != check {
+        let what = format!("run {run:?}, check {check:?}");
+        trial.find("refusal", &arguments.join(" "), what);
+    }
+}
+
 fn modes(trial: &mut Trial, rng: &mut Rng, base: &Base) {
     let folder = trial.path("modes");
     let all = ["-o", folder.as_str(), "--pose"];
@@ -188,6 +201,7 @@ fn run(trial: &mut Trial, rng: &mut Rng, base: &Base, sets: &[String], loaded: &
     let Some(said) = trial.run(&arguments, &[2, 3], trial.fuzzer.limit) else {
         return;
     };
+    refuses_alike(trial, &base.with("check", sets, &[]), &said);
     if said.status == 2 {
         // The complaints of an analysis are those of the command.
         if let Ok(Err(complaints)) = caught(|| {

@@ -7,9 +7,9 @@ use linkdyn_output::{Mobility, Status};
 /// What `check` finds.
 #[derive(Debug, Clone, Default)]
 pub struct Check {
-    /// `Completed` where the model assembles.
+    /// `Completed` where the model assembles, and its own analysis has a first instant.
     pub status: Status,
-    /// Why it does not.
+    /// Why not.
     pub message: Option<String>,
     /// Moving bodies.
     #[doc(hidden)]
@@ -38,6 +38,8 @@ pub struct Check {
     /// Largest constraint residual after assembly, divided by the mechanism's size [–]; NaN where there is none.
     #[doc(hidden)]
     pub assembly_residual: f64,
+    /// Why `run` refuses the model's own analysis (exit status 2).
+    pub refused: Vec<Complaint>,
     /// What each analysis that can't be run lacks; an analysis that is not listed can be run.
     pub missing: Vec<(AnalysisKind, Vec<String>)>,
     /// The data among that, by what is missing.
