@@ -67,6 +67,7 @@ mod schema;
 mod shaking;
 mod similarity;
 mod singular;
+mod starts;
 mod states;
 mod statics;
 mod sticking;

@@ -23,7 +23,7 @@ use linkdyn_linear::dense::{Dense, least_norm_solve};
 use linkdyn_linear::math::{dot, max_abs};
 use linkdyn_linear::small::{cholesky, cholesky_solve};
 use linkdyn_output::Status;
-use words::{off, undecided};
+use words::{arrived, off, undecided};
 
 /// Velocities that miss a branch by less than this part of the fastest lie on it: the position itself is good to the root of
 /// round-off only.
@@ -50,6 +50,8 @@ pub struct Departure {
     pub away: Vec<f64>,
     /// Time and drivers for that.
     pub inputs: Inputs,
+    /// What is said of the choice, where the way from the drawing made it.
+    pub warning: Option<String>,
 }
 
 /// Of a mechanism that is free to move; none where it starts regularly, or nothing is known to lead away.
@@ -59,9 +61,10 @@ pub struct Departure {
 pub fn free(system: &System, assembled: &Assembled) -> Result<Option<Departure>, Stop> {
     let inputs = Inputs::at_time(system, 0.0);
     let q = &assembled.q;
-    let Some(Taken { branch, v }) = taken(system, assembled, &inputs)? else {
+    let Some(taken) = taken(system, assembled, &inputs)? else {
         return Ok(None);
     };
+    let Taken { branch, v, warning } = taken;
     let direction = match system.drivers.is_empty() {
         true => Some(branch.direction),
         false => held(system, q, &inputs, &branch)?,
@@ -72,6 +75,7 @@ pub fn free(system: &System, assembled: &Assembled) -> Result<Option<Departure>,
         v,
         away,
         inputs,
+        warning,
     }))
 }
 
@@ -85,9 +89,10 @@ pub fn driven(system: &System, assembled: &Assembled) -> Result<Option<Departure
     if system.drivers.len() != 1 {
         return Ok(None);
     }
-    let Some(Taken { branch, v }) = taken(system, assembled, &inputs)? else {
+    let Some(taken) = taken(system, assembled, &inputs)? else {
         return Ok(None);
     };
+    let Taken { branch, v, warning } = taken;
     if branch.freedom != 1 {
         return Ok(None);
     }
@@ -100,8 +105,13 @@ pub fn driven(system: &System, assembled: &Assembled) -> Result<Option<Departure
     evaluation.eval_phi(system, &inputs);
     // All drivers' equations say: what is wanted less what is.
     inputs.drive[0][0] -= evaluation.phi[system.driver_row(DriverId(0))];
-    let q = q.clone();
-    Ok(Some(Departure { q, v, away, inputs }))
+    Ok(Some(Departure {
+        q: q.clone(),
+        v,
+        away,
+        inputs,
+        warning,
+    }))
 }
 
 /// Whether joints alone leave as much freedom as there are drivers, on the branches from a singular position.
@@ -125,12 +135,14 @@ pub fn is_driven(system: &System, assembled: &Assembled) -> bool {
 struct Taken {
     branch: Branch,
     v: Vec<f64>,
+    /// What is said of the choice, where the way from the drawing made it.
+    warning: Option<String>,
 }
 
 /// Velocities on a branch (n, scaled), and by how much they miss what is prescribed, row by row (scaled).
-struct Pace {
-    v: Vec<f64>,
-    missing: Vec<f64>,
+pub(super) struct Pace {
+    pub v: Vec<f64>,
+    pub missing: Vec<f64>,
 }
 
 /// The branch that is meant.
@@ -156,6 +168,11 @@ fn taken(system: &System, assembled: &Assembled, inputs: &Inputs) -> Result<Opti
     let fits = |k: usize| max_abs(&paces[k].missing) <= slow;
     let hinted = hinted(system, &branches)?;
     let mut fitting = (0..branches.len()).filter(|&k| fits(k));
+    let arrives = |k: &usize| {
+        let direction = assembled.arrival.as_ref();
+        fits(*k) && direction.is_some_and(|direction| branches[*k].holds(direction))
+    };
+    let mut warning = None;
     let chosen = match (hinted, fitting.next(), fitting.next()) {
         // Nothing leads away, or nothing as the drivers move.
         (_, None, _) if system.initial_rates.is_empty() => return Ok(None),
@@ -171,16 +188,22 @@ fn taken(system: &System, assembled: &Assembled, inputs: &Inputs) -> Result<Opti
                 |k| off(system, &paces[k], "nearest to them"),
             ));
         }
-        (None, Some(_), Some(_)) => return Err(undecided(system, &branches)),
+        (None, Some(_), Some(_)) => match (0..branches.len()).find(arrives) {
+            Some(k) => {
+                warning = Some(arrived(system, &branches, k));
+                k
+            }
+            None => return Err(undecided(system, &branches)),
+        },
     };
     let mut v = paces[chosen].v.clone();
     system.scale_columns(&mut v);
     let branch = branches.swap_remove(chosen);
-    Ok(Some(Taken { branch, v }))
+    Ok(Some(Taken { branch, v, warning }))
 }
 
 /// The velocities of least kinetic energy on a branch that come nearest to what is prescribed.
-fn pace(
+pub(super) fn pace(
     system: &System,
     branch: &Branch,
     (rows, wanted): &(Vec<Vec<f64>>, Vec<f64>),
@@ -225,7 +248,7 @@ fn pace(
 }
 
 /// The branch on which bodies turn as the initial values say, where these say anything.
-fn hinted(system: &System, branches: &[Branch]) -> Result<Option<usize>, Stop> {
+pub(super) fn hinted(system: &System, branches: &[Branch]) -> Result<Option<usize>, Stop> {
     if system.branch.is_empty() || branches.is_empty() {
         return Ok(None);
     }
@@ -273,19 +296,15 @@ fn held(
     let Some(mut singular) = singular.map_err(|fault| failed(fault.to_string()))? else {
         return Ok(None);
     };
-    let lies_in = |direction: &Vec<f64>| {
-        let shares = branch.tangents.iter().map(|t| dot(t, direction).powi(2));
-        shares.sum::<f64>() > 1.0 - ON
-    };
     let branches = singular.branches(&vec![0.0; system.n()]);
     Ok(branches
         .into_iter()
         .map(|branch| branch.direction)
-        .find(lies_in))
+        .find(|direction| branch.holds(direction)))
 }
 
 /// A regular position of the first `rows` rows, away from the singular one on the branch that leaves in a direction.
-fn away(
+pub(super) fn away(
     system: &System,
     rows: usize,
     (q, direction): (&[f64], &[f64]),

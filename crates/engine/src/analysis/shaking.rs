@@ -272,6 +272,8 @@ fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
                     effort: effort?,
                 });
             }
+            // no driver of a model is one
+            DriverRole::Coordinate { .. } => {}
             DriverRole::Translation { joint } => {
                 let joint = &system.joints[joint.0];
                 let (Some(sign), Some(axis)) = (side(joint.bodies()), joint.role().axis()) else {

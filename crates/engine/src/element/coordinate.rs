@@ -1,10 +1,14 @@
 //! A coordinate of a body's frame held at a value: how `initial` values enter the assembly.
 //!
 //! ```text
-//! φ = c − (x_O, y_O or θ),   O the frame's origin         (1)  [m or rad]
+//! φ = c + f − (x_O, y_O or θ),   O the frame's origin     (1)  [m or rad]
 //! ```
+//!
+//! with f of a driver that leads it from where it is drawn, if there is one.
 
+use super::driven::DriveId;
 use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
+use crate::motion::Jet;
 use linkdyn_linear::math::Vec2;
 
 /// One coordinate of a body at a value.
@@ -16,6 +20,26 @@ pub struct Coordinate {
     pub axis: Axis,
     /// Its value \[m or rad\].
     pub value: f64,
+    /// The driver of which the value is added.
+    pub drive: Option<DriveId>,
+}
+
+impl Coordinate {
+    /// f, f′, f″.
+    fn driven(&self, at: &Kinematics) -> Jet {
+        self.drive.map_or([0.0; 3], |drive| at.drive[drive.0])
+    }
+
+    /// How far it is from its value, of which nothing is added.
+    pub fn off(&self, at: &Kinematics) -> f64 {
+        let place = self.origin.place(at);
+        self.value
+            - match self.axis {
+                Axis::X => place.x,
+                Axis::Y => place.y,
+                Axis::Theta => at.poses[self.origin.body.0].theta,
+            }
+    }
 }
 
 impl Constraint for Coordinate {
@@ -35,13 +59,7 @@ impl Constraint for Coordinate {
     }
 
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        let place = self.origin.place(at);
-        phi[0] = self.value
-            - match self.axis {
-                Axis::X => place.x,
-                Axis::Y => place.y,
-                Axis::Theta => at.poses[self.origin.body.0].theta,
-            };
+        phi[0] = self.off(at) + self.driven(at)[0];
     }
 
     fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
@@ -53,8 +71,8 @@ impl Constraint for Coordinate {
         }
     }
 
-    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
-        phi_t[0] = 0.0;
+    fn rate(&self, at: &Kinematics, phi_t: &mut [f64]) {
+        phi_t[0] = self.driven(at)[1];
     }
 
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
@@ -63,7 +81,7 @@ impl Constraint for Coordinate {
             Axis::X => turn.x,
             Axis::Y => turn.y,
             Axis::Theta => 0.0,
-        };
+        } - self.driven(at)[2];
     }
 
     fn bends(&self) -> Vec<Slope> {

@@ -133,6 +133,7 @@ fn drivers_and_initial_values() -> Vec<Named> {
                 origin,
                 axis: Axis::X,
                 value: 0.4,
+                drive: None,
             }),
         ),
         (
@@ -141,6 +142,7 @@ fn drivers_and_initial_values() -> Vec<Named> {
                 origin,
                 axis: Axis::Y,
                 value: 0.4,
+                drive: None,
             }),
         ),
         (
@@ -149,6 +151,7 @@ fn drivers_and_initial_values() -> Vec<Named> {
                 origin,
                 axis: Axis::Theta,
                 value: 0.4,
+                drive: Some(DriveId(0)),
             }),
         ),
     ]

@@ -33,6 +33,8 @@ const TANGENT: f64 = 1e-5;
 const SAME: f64 = 1e-3;
 /// Branches that differ by less are equally wanted [–].
 const TIE: f64 = 1e-6;
+/// Part of a direction's square that may lie off a branch that holds it: it comes from positions around.
+const HELD: f64 = 1e-5;
 /// Part of a branch's own direction that goes with the wanted one: what nobody pulls at leaves the position, too.
 const ASIDE: f64 = 0.3;
 
@@ -57,6 +59,14 @@ pub struct Branch {
     pub freedom: usize,
     /// Part of the wanted direction that lies in it [as that direction].
     pub along: f64,
+}
+
+impl Branch {
+    /// Whether a scaled direction (n) is one of its tangents.
+    pub fn holds(&self, direction: &[f64]) -> bool {
+        let shares = self.tangents.iter().map(|t| dot(t, direction).powi(2));
+        shares.sum::<f64>() > (1.0 - HELD) * dot(direction, direction)
+    }
 }
 
 impl<'s> Singularity<'s> {

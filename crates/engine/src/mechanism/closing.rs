@@ -11,6 +11,8 @@
 //! harm, and with μ = ν |φ̃|² convergence is quadratic even where rank is lost (Yamashita and Fukushima 2001). A loop that
 //! can't be closed ends in the least-squares compromise, where the sum of a loop's joint gaps is what it lacks.
 
+mod proof;
+
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
 use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::math::max_abs;
@@ -28,6 +30,8 @@ pub struct Closed {
     pub converged: bool,
     /// Steps tried.
     pub iterations: u64,
+    /// Whether it is proven to be where the guess moves to, see [`proof`]. Asked of [`close_proven`] alone.
+    pub proven: bool,
 }
 
 /// Scaled residual at which a position counts as assembled; the driven solver then polishes to round-off.
@@ -77,30 +81,17 @@ pub fn close_weighted(
     inputs: &Inputs,
 ) -> Closed {
     let mut search = Search::new(system, blocks, weight, guess, inputs);
-    let (mut nu, mut stalled) = (1.0_f64, 0);
-    let mut iterations = 0;
-    while iterations < MAX_ITERATIONS
-        && max_abs(&search.phi) > CLOSED
-        && nu < MOST_NU
-        && stalled < MOST_STALLED
-    {
-        iterations += 1;
-        match search.step(nu) {
-            Step::Better { gains } => {
-                stalled = if gains { 0 } else { stalled + 1 };
-                nu = (nu * EASED).max(LEAST_NU);
-            }
-            // At the last digits no step improves the norm any more.
-            Step::Worse { size } if size < LEAST_STEP => break,
-            Step::Worse { .. } | Step::Singular => nu *= RAISED,
-        }
-    }
-    Closed {
-        gaps: search.gaps(),
-        converged: max_abs(&search.phi) <= 100.0 * CLOSED,
-        q: search.q,
-        iterations,
-    }
+    let iterations = search.run();
+    search.closed(iterations, false)
+}
+
+/// As [`close`], and whether the position found is proven to be the one that the guess moves to.
+pub fn close_proven(system: &System, blocks: &[&Block], guess: &[f64], inputs: &Inputs) -> Closed {
+    let mut search = Search::new(system, blocks, 1.0, guess, inputs);
+    let proof = search.proof();
+    let iterations = search.run();
+    let proven = proof.is_some_and(|certainty| search.is_within(certainty, guess));
+    search.closed(iterations, proven)
 }
 
 /// What became of one step.
@@ -154,6 +145,41 @@ impl<'a> Search<'a> {
             norm,
             values: vec![0.0; pattern.entries() + 1],
             lu: SparseLu::new(pattern.clone(), ColumnOrder::amd(&pattern)),
+        }
+    }
+
+    /// Steps until it is closed, or none leads closer; how many.
+    fn run(&mut self) -> u64 {
+        let (mut nu, mut stalled) = (1.0_f64, 0);
+        let mut iterations = 0;
+        while iterations < MAX_ITERATIONS
+            && max_abs(&self.phi) > CLOSED
+            && nu < MOST_NU
+            && stalled < MOST_STALLED
+        {
+            iterations += 1;
+            match self.step(nu) {
+                Step::Better { gains } => {
+                    stalled = if gains { 0 } else { stalled + 1 };
+                    nu = (nu * EASED).max(LEAST_NU);
+                }
+                // At the last digits no step improves the norm any more.
+                Step::Worse { size } if size < LEAST_STEP => break,
+                Step::Worse { .. } | Step::Singular => nu *= RAISED,
+            }
+        }
+        iterations
+    }
+
+    /// What was found.
+    fn closed(self, iterations: u64, proven: bool) -> Closed {
+        let converged = max_abs(&self.phi) <= 100.0 * CLOSED;
+        Closed {
+            gaps: self.gaps(),
+            converged,
+            q: self.q,
+            iterations,
+            proven: proven && converged,
         }
     }
 

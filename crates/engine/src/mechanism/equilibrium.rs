@@ -242,13 +242,17 @@ fn step(held: &mut Held, local: &Local) -> Result<(), Lost> {
     d.iter_mut().for_each(|d| *d *= shorten);
     let mut part = 1.0;
     let norm = max_abs(&local.g);
+    let before = held.q.clone();
     while part > SHORTEST {
         if advance(held, &d, part).is_ok() {
             let g = pull(held);
             if dot(&local.g, &d) + dot(&g, &d) >= 0.0 || max_abs(&g) < norm {
                 return Ok(());
             }
-            advance(held, &d, -part).map_err(Lost::Failed)?;
+            // By a step back or, where that can't be solved from there, to what is known.
+            if advance(held, &d, -part).is_err() {
+                held.return_to(&before).map_err(Lost::Failed)?;
+            }
         }
         part *= 0.5;
     }

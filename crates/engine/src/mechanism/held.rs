@@ -131,6 +131,15 @@ impl<'s> Held<'s> {
             .collect()
     }
 
+    /// Goes back to a position that it had.
+    ///
+    /// # Errors
+    /// When its coordinates do not determine the rest there.
+    pub fn return_to(&mut self, q: &[f64]) -> Result<(), Failure> {
+        self.q.copy_from_slice(q);
+        self.settle()
+    }
+
     /// Moves u by `d`, or leaves everything as it is.
     ///
     /// # Errors
@@ -144,8 +153,7 @@ impl<'s> Held<'s> {
         self.q.iter_mut().zip(&step).for_each(|(q, s)| *q += s);
         let placed = self.place();
         if placed.is_err() {
-            self.q = before;
-            self.settle()?;
+            self.return_to(&before)?;
         }
         placed
     }

@@ -20,7 +20,7 @@ pub struct Block {
 
 impl Block {
     /// Of equations that stand for themselves.
-    pub(super) fn alone(constraint: Arc<dyn Constraint>, origin: Origin) -> Self {
+    pub(crate) fn alone(constraint: Arc<dyn Constraint>, origin: Origin) -> Self {
         let count = [constraint.rows().len(), constraint.entries().len()];
         Block {
             constraint,

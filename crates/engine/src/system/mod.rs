@@ -14,6 +14,7 @@ pub mod compile;
 mod contacts;
 mod eval;
 mod joint;
+mod led;
 mod mass;
 mod matrices;
 mod roles;
@@ -149,6 +150,8 @@ pub struct System {
     pub blocks: Vec<Block>,
     /// `initial` coordinates, as blocks of their own for the assembly.
     pub(crate) initial: Vec<Block>,
+    /// The coordinates that these hold.
+    pub(crate) starts: Vec<crate::element::coordinate::Coordinate>,
     /// `initial` velocities: name, row over the coordinates as (column, factor) at the assembled pose is in `eval`.
     pub(crate) initial_rates: Vec<(String, crate::element::coordinate::Coordinate)>,
     /// How bodies turn, by each other, on the branch on which a singular start is left.

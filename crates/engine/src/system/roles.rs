@@ -3,7 +3,7 @@
 use super::JointId;
 use crate::element::formula::Strength;
 use crate::element::quantity::Measured;
-use crate::element::{BodyId, Marker, Measure};
+use crate::element::{Axis, BodyId, Marker, Measure};
 use linkdyn_linear::math::Vec2;
 
 /// What a joint is.
@@ -80,6 +80,13 @@ pub enum DriverRole {
     Length {
         /// Its ends.
         between: [Marker; 2],
+    },
+    /// It moves a point of a body along an axis, or turns the body: on the way from the drawing to the start alone.
+    Coordinate {
+        /// The point.
+        origin: Marker,
+        /// Its coordinate.
+        axis: Axis,
     },
 }
 

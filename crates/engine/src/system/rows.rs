@@ -180,6 +180,7 @@ impl System {
             points: Vec::new(),
             blocks: Vec::with_capacity(joints.len()),
             initial: Vec::new(),
+            starts: Vec::new(),
             initial_rates: Vec::new(),
             branch: Vec::new(),
             forces: Vec::new(),

@@ -16,6 +16,8 @@ pub struct Assembled {
     pub mobility: Mobility,
     /// Newton's iterations that it took.
     pub iterations: u64,
+    /// In which direction the way from the drawing reaches it (n, scaled), where it is a singular position that lies elsewhere.
+    pub arrival: Option<Vec<f64>>,
     /// What to doubt of it.
     pub warnings: Vec<String>,
 }

@@ -1,22 +1,20 @@
 //! Why a mechanism does not assemble, or by which way it does.
 
+use super::Found;
 use super::beside::close_from_beside;
 use super::determined::over_driven;
 use super::mobility::topology;
 use super::overlap;
 use super::ranks::ranks;
+use super::way::{Way, from_drawing};
 use crate::analysis::control::Stop;
 use crate::analysis::words::listed;
 use crate::mechanism::closing::{Closed, close, close_weighted};
-use crate::system::{Block, Evaluation, Inputs, Origin, System};
+use crate::system::{Block, Inputs, Origin, System};
 use linkdyn_output::Status;
 
 /// Finds out why everything together does not assemble, or assembles by another way.
-pub(super) fn diagnose(
-    system: &System,
-    inputs: &Inputs,
-    closed: Closed,
-) -> Result<(Vec<f64>, u64, Vec<String>), Stop> {
+pub(super) fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<Found, Stop> {
     let joints: Vec<&Block> = system
         .blocks
         .iter()
@@ -29,7 +27,11 @@ pub(super) fn diagnose(
                            assembly (its bodies lie in a line?); check that this is the assembly you want, or give poses \
                            closer to it"
                 .to_string();
-            return Ok((found.q, closed.iterations + found.iterations, vec![warning]));
+            return Ok(Found {
+                iterations: closed.iterations + found.iterations,
+                warnings: vec![warning],
+                ..Found::alone(found)
+            });
         }
         return Err(Stop::failed(
             Status::AssemblyFailed,
@@ -43,19 +45,17 @@ pub(super) fn diagnose(
         return Err(Stop::Input(vec![over_driven(system, freedom)]));
     }
     overlap::refuse(system, &undriven.q, inputs)?;
+    if let Way::Reached(reached) = from_drawing(system, inputs, None)
+        && let Some(found) = Found::reached(system, inputs, reached, closed.iterations)
+    {
+        return Ok(found);
+    }
     let driven: Vec<&Block> = system.blocks.iter().collect();
     if !system.initial.is_empty() && close(system, &driven, &system.guess, inputs).converged {
         return Err(Stop::failed(
             Status::AssemblyFailed,
             conflicting(system, inputs),
         ));
-    }
-    // Drive from where the joints close to where the drivers want it, in small parts.
-    if let Some((q, iterations)) = drive_there(system, inputs, &undriven.q) {
-        let warning = "assembled by moving the drivers from where the drawing has them to their first values; \
-                       check that this is the assembly you want, or give poses closer to it"
-            .to_string();
-        return Ok((q, closed.iterations + iterations, vec![warning]));
     }
     let held = close_weighted(system, &driven, DRIVERS_FIRST, &system.guess, inputs);
     Err(Stop::failed(
@@ -70,39 +70,6 @@ pub(super) fn diagnose(
 
 /// Weight of drivers when the gap that they leave is measured: they are met to a millionth of it.
 const DRIVERS_FIRST: f64 = 1e3;
-
-/// Homotopy of the drivers from their values in a joints-only assembly to those of `inputs`.
-fn drive_there(system: &System, inputs: &Inputs, q: &[f64]) -> Option<(Vec<f64>, u64)> {
-    let mut evaluation = Evaluation::new(system);
-    evaluation.set_position(q);
-    evaluation.eval_phi(system, inputs);
-    let gaps: Vec<f64> = (0..system.drivers.len())
-        .map(|k| evaluation.phi[system.joint_rows() + k])
-        .collect();
-    let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
-    let (mut q, mut part, mut step, mut iterations) = (q.to_vec(), 0.0, 0.05_f64, 0);
-    while part < 1.0 {
-        let next = (part + step).min(1.0);
-        let mut between = inputs.clone();
-        for (jet, gap) in between.drive.iter_mut().zip(&gaps) {
-            jet[0] -= gap * (1.0 - next);
-        }
-        let closed = close(system, &all, &q, &between);
-        iterations += closed.iterations;
-        let moved: Vec<f64> = closed.q.iter().zip(&q).map(|(a, b)| a - b).collect();
-        if closed.converged && system.scaled_norm(&moved) < 0.3 {
-            q = closed.q;
-            part = next;
-            step *= 1.5;
-        } else {
-            step *= 0.5;
-            if step < 1e-4 {
-                return None;
-            }
-        }
-    }
-    Some((q, iterations))
-}
 
 /// What to say of joints that do not close by themselves.
 fn open_loop(system: &System, closed: &Closed) -> String {

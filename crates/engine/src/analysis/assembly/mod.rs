@@ -4,12 +4,15 @@ mod assembled;
 mod beside;
 mod determined;
 mod diagnosis;
+mod drawing;
 mod limits;
 mod meeting;
 mod mobility;
 mod overlap;
 mod ranks;
+mod told;
 mod velocities;
+mod way;
 
 pub use assembled::Assembled;
 pub use determined::check_driven;
@@ -20,13 +23,15 @@ pub(super) use ranks::tangent;
 pub use velocities::{velocities, velocities_near};
 
 use super::control::Stop;
-use crate::mechanism::closing::close;
+use crate::element::Axis;
+use crate::mechanism::closing::{Closed, close, close_proven};
 use crate::system::{Block, Inputs, System};
 use diagnosis::diagnose;
 use limits::beyond_numbers;
 use mobility::mobility;
+use way::{Reached, Way, from_drawing};
 
-/// Assembles at `inputs` from the model's guess; with `initial` values exact.
+/// Assembles at `inputs` by moving there from the drawing, see [`way`]; with `initial` values exact.
 ///
 /// # Errors
 /// [`Stop::Failed`] with status `assembly_failed` and the loop or the values that do not fit.
@@ -35,9 +40,16 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
         return Err(Stop::Input(vec![complaint]));
     }
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
-    let closed = close(system, &all, &system.guess, inputs);
-    let (q, iterations, mut warnings) = if closed.converged {
-        (closed.q, closed.iterations, Vec::new())
+    let closed = close_proven(system, &all, &system.guess, inputs);
+    let Found {
+        q,
+        iterations,
+        arrival,
+        mut warnings,
+    } = if closed.proven {
+        Found::alone(closed)
+    } else if closed.converged {
+        settle(system, inputs, closed)
     } else {
         diagnose(system, inputs, closed)?
     };
@@ -57,8 +69,71 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
         all,
         mobility,
         iterations,
+        arrival,
         warnings,
     })
+}
+
+/// A position that meets everything.
+struct Found {
+    q: Vec<f64>,
+    iterations: u64,
+    arrival: Option<Vec<f64>>,
+    warnings: Vec<String>,
+}
+
+impl Found {
+    /// One of which there is nothing to say.
+    fn alone(closed: Closed) -> Self {
+        Found {
+            q: closed.q,
+            iterations: closed.iterations,
+            arrival: None,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// One that is reached from the drawing; none where it does not meet initial values that could not lead the way.
+    fn reached(system: &System, inputs: &Inputs, reached: Reached, before: u64) -> Option<Self> {
+        let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
+        let closed = close(system, &all, &reached.q, inputs);
+        closed.converged.then(|| {
+            let mut q = closed.q;
+            // Met to round-off; exact they are what the file says.
+            for start in &system.starts {
+                let column = system.layout.column(start.origin.body, start.axis);
+                if let (Axis::Theta, Some(column)) = (start.axis, column) {
+                    q[column] = start.value;
+                }
+            }
+            Found {
+                q,
+                iterations: before + closed.iterations,
+                arrival: reached.arrival,
+                warnings: reached.warnings,
+            }
+        })
+    }
+}
+
+/// The assembly that Newton's iteration found, or the one that is reached from the drawing where that is another.
+fn settle(system: &System, inputs: &Inputs, closed: Closed) -> Found {
+    match from_drawing(system, inputs, Some(&closed.q)) {
+        Way::Nowhere => Found::alone(closed),
+        Way::Ended(said) => Found {
+            warnings: vec![said],
+            ..Found::alone(closed)
+        },
+        Way::Reached(reached) if reached.is(system, &closed.q) => Found {
+            arrival: reached.arrival,
+            warnings: reached.warnings,
+            ..Found::alone(closed)
+        },
+        Way::Reached(reached) => {
+            let there = Found::reached(system, inputs, reached, closed.iterations);
+            there.unwrap_or_else(|| Found::alone(closed))
+        }
+    }
 }
 
 /// The same position with the ranks and the mobility of another system of the same bodies.

@@ -1,5 +1,6 @@
 //! Ranks of the constraints at a position.
 
+use crate::element::Constraint;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::rank::{
     BadEntry, DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,
@@ -18,6 +19,30 @@ pub fn ranks(system: &System, q: &[f64], inputs: &Inputs) -> (RankReport, RankRe
         )
     };
     (of(system.joint_rows()), of(system.m()))
+}
+
+/// Ranks of all rows at `q` and behind them those of the initial values.
+pub(super) fn with_starts(system: &System, q: &[f64], inputs: &Inputs) -> RankReport {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    evaluation.eval_jacobian(system, inputs);
+    let mut entries = entries_of(system, &evaluation.jacobian, system.m());
+    let at = evaluation.kinematics(inputs);
+    for (k, start) in system.starts.iter().enumerate() {
+        let own = start.entries();
+        let mut values = vec![0.0; own.len()];
+        start.jacobian(&at, &mut values);
+        let scale = system.axis_scale(start.axis);
+        for ((_, body, axis), value) in own.into_iter().zip(values) {
+            if let Some(column) = system.layout.column(body, axis) {
+                let scaled = value * system.axis_scale(axis) / scale;
+                entries.push((system.m() + k, column, scaled));
+            }
+        }
+    }
+    let rows = system.m() + system.starts.len();
+    let rows = SparseRows::from_triplets(rows, system.n(), &entries);
+    independent_rows(&finite(rows), DEPENDENCE_TOLERANCE)
 }
 
 /// A direction in which nothing holds the mechanism at `q`, scaled; see [`free_direction`].
@@ -48,21 +73,29 @@ pub(in crate::analysis) fn tangent(system: &System, jacobian: &[f64]) -> Result<
 
 /// The first `rows` rows of the scaled Jacobian.
 fn rows_of(system: &System, values: &[f64], rows: usize) -> Result<SparseRows, BadEntry> {
-    let entries: Vec<(usize, usize, f64)> = system
+    SparseRows::from_triplets(rows, system.n(), &entries_of(system, values, rows))
+}
+
+/// Row, column and value of what is in them.
+fn entries_of(system: &System, values: &[f64], rows: usize) -> Vec<(usize, usize, f64)> {
+    let entries = system
         .entries
         .iter()
         .zip(values)
         .filter_map(|(entry, value)| {
             let (row, column) = (entry.row as usize, entry.column()? as usize);
             (row < rows).then(|| (row, column, system.scaled_entry(*value, row, column)))
-        })
-        .collect();
-    SparseRows::from_triplets(rows, system.n(), &entries)
+        });
+    entries.collect()
 }
 
 /// The same at a position that was assembled.
 fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
-    match rows_of(system, values, rows) {
+    finite(rows_of(system, values, rows))
+}
+
+fn finite(rows: Result<SparseRows, BadEntry>) -> SparseRows {
+    match rows {
         Ok(rows) => rows,
         // `assemble` has seen to it that places are finite, and that no entry is too large.
         Err(bad) => panic!(

@@ -42,6 +42,28 @@ pub(super) fn off(system: &System, pace: &Pace, which: &str) -> Stop {
     ))
 }
 
+/// What to say where the way from the drawing decides, with the words that mean another branch.
+pub(super) fn arrived(system: &System, branches: &[Branch], taken: usize) -> String {
+    let way = |branch: &Branch| turns(system, &branch.direction);
+    let others = branches.iter().enumerate().filter(|(k, _)| *k != taken);
+    let others: Vec<String> = others
+        .take(1)
+        .map(|(_, other)| {
+            let hint = hint(system, branches, other);
+            format!(
+                "; on another {}: for that one say \"initial\": {hint}",
+                way(other)
+            )
+        })
+        .collect();
+    format!(
+        "{START}, from which {} branches of motion lead away: taken is the one on which it is reached from the drawing, where {}{}",
+        branches.len(),
+        way(&branches[taken]),
+        others.concat(),
+    )
+}
+
 /// What to say where nothing decides, with the words that would.
 pub(super) fn undecided(system: &System, branches: &[Branch]) -> Stop {
     let shown = &branches[..branches.len().min(2)];

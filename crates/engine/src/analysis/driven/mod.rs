@@ -110,13 +110,17 @@ fn from(system: &System) -> Result<(Assembled, Inputs), Stop> {
         let turned = ends::at_this_turn(system, &assembled.q);
         ends::check_start(turned.as_ref().unwrap_or(system), &assembled.q)?;
     }
-    let Some(Departure {
-        away: q, inputs, ..
-    }) = departure
-    else {
+    let Some(departure) = departure else {
         return Ok((assembled, start));
     };
-    let away = Assembled { q, ..assembled };
+    let Departure {
+        away: q,
+        inputs,
+        warning,
+        ..
+    } = departure;
+    let mut away = Assembled { q, ..assembled };
+    away.warnings.extend(warning);
     Ok((ranked(system, away, &inputs), inputs))
 }
 

@@ -112,6 +112,8 @@ pub fn run(
         left.map_err(|_| singular_start())?;
     }
     report.warnings = assembled.warnings;
+    let said = departure.and_then(|departure| departure.warning);
+    report.warnings.extend(said);
     report.assemble = assembling;
     let end = settings.instants.last().copied().unwrap_or(0.0);
     let flow = Flow::new(&phases, reduced);

@@ -109,8 +109,10 @@ impl Compiler<'_> {
                         origin,
                         axis,
                         value,
+                        drive: None,
                     };
                     let origin = Origin::Initial(Box::new(format!("{name}.{key}")));
+                    self.system.starts.push(constraint.clone());
                     let block = Block::alone(Arc::new(constraint), origin);
                     self.system.initial.push(block);
                 }
@@ -119,6 +121,7 @@ impl Compiler<'_> {
                         origin,
                         axis,
                         value: rate,
+                        drive: None,
                     };
                     self.system
                         .initial_rates

@@ -169,6 +169,7 @@ impl Compiler<'_> {
             DriverRole::Length {
                 between: [first, second],
             } => Measured::Distance { first, second },
+            DriverRole::Coordinate { .. } => unreachable!("no driver of a model is one"),
             DriverRole::Translation { joint } => {
                 let joint = &self.system.joints[joint.0];
                 let [first, second] = joint.points();

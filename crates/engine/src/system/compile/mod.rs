@@ -97,6 +97,7 @@ impl<'a> Compiler<'a> {
             points: Vec::new(),
             blocks: Vec::new(),
             initial: Vec::new(),
+            starts: Vec::new(),
             initial_rates: Vec::new(),
             branch: Vec::new(),
             forces: Vec::new(),
