@@ -59,6 +59,23 @@ pub struct Sampled {
 }
 
 impl Instants {
+    /// How many there are, about.
+    pub fn count(&self) -> f64 {
+        match self {
+            Instants::Start => 1.0,
+            Instants::Equidistant(wanted) => wanted.outputs as f64,
+            Instants::Sampled(wanted) => ((wanted.to - wanted.from) / wanted.step).abs() + 1.0,
+        }
+    }
+
+    /// What in the file says how many.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Instants::Start | Instants::Equidistant(_) => "analysis.outputs",
+            Instants::Sampled(_) => "analysis.sample.step",
+        }
+    }
+
     /// All of them, in the order of outputs.
     ///
     /// # Errors

@@ -54,6 +54,8 @@ impl Question {
     pub fn new(system: &System, analysis: &Analysis) -> Result<Self, Complaint> {
         let solver = &analysis.solver;
         let contents = contents(analysis.kind);
+        let instants = instants(system, analysis)?;
+        fit(&instants, contents.columns(system).len())?;
         Ok(Question {
             kind: kind(system, analysis.kind),
             contents,
@@ -63,7 +65,7 @@ impl Question {
                 .transmission
                 .as_ref()
                 .map(|wanted| transmission(system, wanted)),
-            instants: instants(system, analysis)?,
+            instants,
             at_events: analysis.outputs_at == OutputsAt::Events,
             method: solver.method.parse(),
             solver: match solver.accelerations {
@@ -116,6 +118,25 @@ impl Question {
             watched: (!system.contacts.is_empty()).then(|| self.columns.clone()),
         })
     }
+}
+
+/// Numbers that a run keeps in memory at most \[bytes\]; what is written from them takes about as much again.
+const MOST: f64 = 1e9;
+
+/// Whether a table of so many columns has room in memory, where it would otherwise end the process.
+fn fit(instants: &Instants, columns: usize) -> Result<(), Complaint> {
+    let rows = instants.count();
+    let row = (columns * size_of::<f64>()) as f64;
+    if rows.is_nan() || rows * row <= MOST {
+        return Ok(());
+    }
+    let message = format!(
+        "{rows:.0} outputs with {columns} columns each are {:.1} GB, and at most {} GB are kept",
+        rows * row / 1e9,
+        MOST / 1e9
+    );
+    let hint = format!("ask for at most {:.0} outputs", (MOST / row).floor());
+    Err(Complaint::new(instants.word(), message).hint(hint))
 }
 
 /// Journals that move freely in their bearings leave the mechanism free to move, however it is driven.

@@ -118,7 +118,7 @@ impl Point {
         let bound = (normal * tangent).sqrt();
         Point {
             normal,
-            coupling: coupling.clamp(-bound, bound),
+            coupling: coupling.max(-bound).min(bound),
             tangent,
             friction,
         }

@@ -16,17 +16,14 @@ pub(super) fn beyond_numbers(system: &System, inputs: &Inputs) -> Option<Complai
         .or_else(|| too_short(system))
         .or_else(|| no_length(system, inputs))
         .or_else(|| too_far(system, inputs))
-        .or_else(|| too_steep(system, inputs))
+        .or_else(|| too_steep(system, &system.guess, inputs))
 }
 
 /// Complains of lengths of which the squares overflow.
 fn too_long(system: &System) -> Option<Complaint> {
-    let far = system
-        .guess
-        .iter()
-        .chain([&system.size, &system.reach])
-        .fold(0.0, |most: f64, x| most.max(x.abs()));
-    (far > LONGEST).then(|| {
+    let mut lengths = system.guess.iter().chain([&system.size, &system.reach]);
+    let is_far = lengths.any(|x| x.is_nan() || x.abs() > LONGEST);
+    is_far.then(|| {
         Complaint::new(
             "bodies",
             format!(
@@ -97,10 +94,10 @@ fn too_far(system: &System, inputs: &Inputs) -> Option<Complaint> {
     )
 }
 
-/// Complains of a joint that moves its bodies by more than can be computed with: of a gear ratio.
-fn too_steep(system: &System, inputs: &Inputs) -> Option<Complaint> {
+/// Complains of a joint that moves its bodies at `q` by more than can be computed with: of a gear ratio.
+pub(super) fn too_steep(system: &System, q: &[f64], inputs: &Inputs) -> Option<Complaint> {
     let mut evaluation = Evaluation::new(system);
-    evaluation.set_position(&system.guess);
+    evaluation.set_position(q);
     evaluation.eval_jacobian(system, inputs);
     let is_steep = |block: &&Block| {
         let entries = block.entries();

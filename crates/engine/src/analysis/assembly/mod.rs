@@ -27,11 +27,11 @@ use crate::element::Axis;
 use crate::mechanism::closing::{Closed, close, close_proven};
 use crate::system::{Block, Inputs, System};
 use diagnosis::diagnose;
-use limits::beyond_numbers;
+use limits::{beyond_numbers, too_steep};
 use mobility::mobility;
 use way::{Reached, Way, from_drawing};
 
-/// Assembles at `inputs` by moving there from the drawing, see [`way`]; with `initial` values exact.
+/// Assembles at `inputs` by moving there from the drawing (see the module `way`); with `initial` values exact.
 ///
 /// # Errors
 /// [`Stop::Failed`] with status `assembly_failed` and the loop or the values that do not fit.
@@ -53,6 +53,9 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     } else {
         diagnose(system, inputs, closed)?
     };
+    if let Some(complaint) = too_steep(system, &q, inputs) {
+        return Err(Stop::Input(vec![complaint]));
+    }
     let (joints, all) = ranks(system, &q, inputs);
     if all
         .dependent

@@ -26,7 +26,9 @@ pub(super) fn with_starts(system: &System, q: &[f64], inputs: &Inputs) -> RankRe
     let mut evaluation = Evaluation::new(system);
     evaluation.set_position(q);
     evaluation.eval_jacobian(system, inputs);
-    let mut entries = entries_of(system, &evaluation.jacobian, system.m());
+    let mut entries: Vec<_> = entries(system, &evaluation.jacobian, system.m())
+        .map(|(row, column, x)| (row, column, if x.is_finite() { x } else { 0.0 }))
+        .collect();
     let at = evaluation.kinematics(inputs);
     for (k, start) in system.starts.iter().enumerate() {
         let own = start.entries();
@@ -41,8 +43,9 @@ pub(super) fn with_starts(system: &System, q: &[f64], inputs: &Inputs) -> RankRe
         }
     }
     let rows = system.m() + system.starts.len();
-    let rows = SparseRows::from_triplets(rows, system.n(), &entries);
-    independent_rows(&finite(rows), DEPENDENCE_TOLERANCE)
+    let rows = SparseRows::from_triplets(rows, system.n(), &entries)
+        .unwrap_or_else(|bad| unreachable!("row {} has finite entries", bad.row));
+    independent_rows(&rows, DEPENDENCE_TOLERANCE)
 }
 
 /// A direction in which nothing holds the mechanism at `q`, scaled; see [`free_direction`].
@@ -71,36 +74,33 @@ pub(in crate::analysis) fn tangent(system: &System, jacobian: &[f64]) -> Result<
     Ok(tangent)
 }
 
+/// The entries of the first `rows` rows of the scaled Jacobian.
+fn entries(
+    system: &System,
+    values: &[f64],
+    rows: usize,
+) -> impl Iterator<Item = (usize, usize, f64)> {
+    let all = system.entries.iter().zip(values);
+    all.filter_map(move |(entry, value)| {
+        let (row, column) = (entry.row as usize, entry.column()? as usize);
+        (row < rows).then(|| (row, column, system.scaled_entry(*value, row, column)))
+    })
+}
+
 /// The first `rows` rows of the scaled Jacobian.
 fn rows_of(system: &System, values: &[f64], rows: usize) -> Result<SparseRows, BadEntry> {
-    SparseRows::from_triplets(rows, system.n(), &entries_of(system, values, rows))
+    let entries: Vec<_> = entries(system, values, rows).collect();
+    SparseRows::from_triplets(rows, system.n(), &entries)
 }
 
-/// Row, column and value of what is in them.
-fn entries_of(system: &System, values: &[f64], rows: usize) -> Vec<(usize, usize, f64)> {
-    let entries = system
-        .entries
-        .iter()
-        .zip(values)
-        .filter_map(|(entry, value)| {
-            let (row, column) = (entry.row as usize, entry.column()? as usize);
-            (row < rows).then(|| (row, column, system.scaled_entry(*value, row, column)))
-        });
-    entries.collect()
-}
-
-/// The same at a position that was assembled.
+/// The same; an entry beyond all numbers says nothing, so that its row may say nothing new. `assemble` refuses positions that have
+/// such entries.
 fn scaled_rows(system: &System, values: &[f64], rows: usize) -> SparseRows {
-    finite(rows_of(system, values, rows))
-}
-
-fn finite(rows: Result<SparseRows, BadEntry>) -> SparseRows {
-    match rows {
-        Ok(rows) => rows,
-        // `assemble` has seen to it that places are finite, and that no entry is too large.
-        Err(bad) => panic!(
-            "the Jacobian's entry at row {}, column {} is not finite",
-            bad.row, bad.column
-        ),
-    }
+    let entries = entries(system, values, rows);
+    let known = |x: f64| if x.is_finite() { x } else { 0.0 };
+    let known: Vec<_> = entries
+        .map(|(row, column, x)| (row, column, known(x)))
+        .collect();
+    let rows = SparseRows::from_triplets(rows, system.n(), &known);
+    rows.unwrap_or_else(|bad| unreachable!("row {} has finite entries", bad.row))
 }

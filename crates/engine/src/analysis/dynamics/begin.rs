@@ -46,6 +46,9 @@ impl<'s> Simulation<'s> {
             rtol = (IMPACTS * rtol).max(FINEST.min(rtol));
             flow.set_lag(CONTACT_LAG.min(LAG * rtol));
         }
+        // Its rows are those of the mechanism as it is, before contacts at the start bring theirs.
+        let mut extremes = (settings.watched.as_ref())
+            .map(|watched| Box::new(Extremes::new(flow.system(), settings, watched)));
         let mut state = State::new(flow.layout());
         first_phases(&mut flow, &state, &mut ledger)?;
         flow.store(&mut state);
@@ -80,11 +83,9 @@ impl<'s> Simulation<'s> {
             let message = message.unwrap_or_else(|| describe(fault, 0.0, "", &system.display));
             Stop::failed(Status::Singular, message)
         })?;
-        let extremes = settings.watched.as_ref().map(|watched| {
-            let mut extremes = Box::new(Extremes::new(flow.system(), settings, watched));
+        if let Some(extremes) = &mut extremes {
             extremes.begin_piece(&mut flow, &state, &ledger, 0.0);
-            extremes
-        });
+        }
         let outside = Outside::new(flow.system());
         let passages = Passages::new(settings.contents, &flow);
         Ok(Simulation {

@@ -119,7 +119,7 @@ impl Path {
                         ((low - position.s) / TAU).ceil(),
                         ((high - position.s) / TAU).floor(),
                     );
-                    first as i64..=(last as i64).min(first as i64 + MOST_TURNS)
+                    first as i64..=(last as i64).min((first as i64).saturating_add(MOST_TURNS))
                 }
             };
             for turn in turns {
@@ -220,13 +220,14 @@ impl Path {
                 Source::Regular
             });
         }
-        if self
-            .errors
-            .get(k - 1)
-            .is_some_and(|error| *error <= self.tolerance)
+        let is_known = |error: &f64| *error <= self.tolerance;
+        let around = k
+            .checked_sub(2)
+            .and_then(|from| self.nodes.get(from..from + 4));
+        if let Some([first, second, third, last]) = around
+            && self.errors.get(k - 1).is_some_and(is_known)
         {
-            let around: [&Node; 4] = std::array::from_fn(|j| &self.nodes[k - 2 + j]);
-            osculate(around, s, [q, d, dd]);
+            osculate([first, second, third, last], s, [q, d, dd]);
             return Some(Source::Known);
         }
         quintic(&self.nodes[k - 1], &self.nodes[k], s, q, None);
