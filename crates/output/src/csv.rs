@@ -51,8 +51,25 @@ pub fn push_number(text: &mut Vec<u8>, value: Option<f64>) {
     push_digits(text, &mut ryu::Buffer::new(), value.unwrap_or(f64::NAN));
 }
 
-/// Appends one field, in quotes where a comma, a quote or a line end in it would break the line up.
+/// A spreadsheet takes a cell that begins with one of these for a formula.
+const FORMULA: [char; 4] = ['=', '+', '-', '@'];
+
+/// Whether a text, behind apostrophes, begins as a formula does.
+fn is_formula(field: &str) -> bool {
+    field.trim_start_matches('\'').starts_with(FORMULA)
+}
+
+/// The name that [`push_field`] has written as this field.
+pub fn name_of(field: &str) -> &str {
+    let name = field.strip_prefix('\'').filter(|name| is_formula(name));
+    name.unwrap_or(field)
+}
+
+/// Appends one field of text: with an apostrophe before it where a spreadsheet would take it for a formula, in quotes where a comma,
+/// a quote or a line end in it would break the line up.
 pub fn push_field(text: &mut Vec<u8>, field: &str) {
+    let escaped = is_formula(field).then(|| format!("'{field}"));
+    let field = escaped.as_deref().unwrap_or(field);
     if !field.contains([',', '"', '\n', '\r']) {
         text.extend_from_slice(field.as_bytes());
         return;
@@ -93,6 +110,28 @@ mod tests {
             text(&table),
             "time[m],\"6\"\" bar.x[m]\",🔒.x[m],\"a\nb[m]\",ordinary name[m]\n"
         );
+    }
+
+    #[test]
+    fn names_are_no_formulas() {
+        for (name, cell) in [
+            ("=1+1", "'=1+1"),
+            ("-a", "'-a"),
+            ("+a", "'+a"),
+            ("@sum(a,b)", "\"'@sum(a,b)\""),
+            ("'=a", "''=a"),
+            ("a=b", "a=b"),
+            ("'a", "'a"),
+            ("", ""),
+        ] {
+            let mut text = Vec::new();
+            push_field(&mut text, name);
+            assert_eq!(text, cell.as_bytes(), "{name}");
+            assert_eq!(name_of(cell.trim_matches('"')), name, "{cell}");
+        }
+        let mut table = Trajectory::new(vec![Column::new("-a.x", "m")]);
+        table.push_row(&[-1.5]);
+        assert_eq!(text(&table), "'-a.x[m]\n-1.5\n", "numbers stay");
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::io::Read;
 use std::mem::{Discriminant, discriminant};
 use std::path::{Path, PathBuf};
 
+use super::csv::name_of;
 use super::read_error::LARGEST;
 pub use super::read_error::ReadError;
 use super::{Channel, TIME};
@@ -231,6 +232,7 @@ fn not_text(path: &Path, fault: impl std::error::Error + Send + Sync + 'static) 
 
 /// `name[unit]`, split.
 fn column(header: &str) -> ReadColumn {
+    let header = name_of(header);
     let split = header
         .trim_end()
         .strip_suffix(']')
