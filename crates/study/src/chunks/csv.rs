@@ -47,8 +47,16 @@ pub fn write_rows(rows: &Rows, out: &mut impl Write) -> io::Result<()> {
     out.write_all(&text)
 }
 
-/// Appends one field, in quotes where a comma, a quote or a line end in it would break the line up.
+/// Appends one field of text: with an apostrophe before it where a spreadsheet would take it for a formula, in quotes where a comma,
+/// a quote or a line end in it would break the line up.
 fn push_field(text: &mut Vec<u8>, field: &str) {
+    let is_formula = |field: &str| {
+        field
+            .trim_start_matches('\'')
+            .starts_with(['=', '+', '-', '@'])
+    };
+    let escaped = is_formula(field).then(|| format!("'{field}"));
+    let field = escaped.as_deref().unwrap_or(field);
     if !field.contains([',', '"', '\n', '\r']) {
         text.extend(field.bytes());
         return;

@@ -123,6 +123,11 @@ impl Rows {
         self.from
     }
 
+    /// The variant after the last one.
+    pub fn end(&self) -> u64 {
+        self.from + self.len() as u64
+    }
+
     /// How many rows.
     pub fn len(&self) -> usize {
         self.status.len()

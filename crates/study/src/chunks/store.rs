@@ -74,10 +74,7 @@ impl Store {
     /// When the system refuses, or the rows are not those of the chunk.
     pub fn write(&self, chunk: u64, rows: &Rows) -> Result<(), ChunkFault> {
         let path = self.path(chunk);
-        let (own, found) = (
-            self.plan.range(chunk),
-            rows.from()..rows.from() + rows.len() as u64,
-        );
+        let (own, found) = (self.plan.range(chunk), rows.from()..rows.end());
         if found != own {
             return Err(ChunkFault::Rows {
                 path,
@@ -85,6 +82,43 @@ impl Store {
                 expected: own,
             });
         }
+        self.replace(chunk, path, rows)?;
+        // What can't be removed harms nobody.
+        let _ = fs::remove_file(self.begun(chunk));
+        Ok(())
+    }
+
+    /// Keeps the first rows of a chunk that is still computed.
+    ///
+    /// # Errors
+    /// When the system refuses.
+    pub fn keep(&self, chunk: u64, rows: &Rows) -> Result<(), ChunkFault> {
+        self.replace(chunk, self.begun(chunk), rows)
+    }
+
+    /// The first rows of a chunk that were kept; none where there are no sound ones of this study.
+    pub fn kept(&self, chunk: u64) -> Rows {
+        let none = || self.rows(chunk);
+        let Ok(bytes) = fs::read(self.begun(chunk)) else {
+            return none();
+        };
+        let own = self.plan.range(chunk);
+        match decode(&bytes) {
+            Ok((header, rows)) if rows.from() == own.start && rows.end() <= own.end => {
+                let of_this = self.accept(chunk, header, rows.from()..rows.end());
+                of_this.map_or_else(|_| none(), |()| rows)
+            }
+            Ok(_) | Err(_) => none(),
+        }
+    }
+
+    /// The file of the first rows of a chunk that is still computed.
+    fn begun(&self, chunk: u64) -> PathBuf {
+        self.directory.join(format!("chunk-{chunk:08}.begun"))
+    }
+
+    /// Writes rows as a part, syncs it and gives it its name.
+    fn replace(&self, chunk: u64, path: PathBuf, rows: &Rows) -> Result<(), ChunkFault> {
         let Identity {
             study,
             engine,
@@ -94,19 +128,17 @@ impl Store {
         let header = Header {
             study,
             engine,
-            from: own.start,
-            to: own.end,
+            from: rows.from(),
+            to: rows.end(),
             inputs,
             responses,
             reasons: rows.reasons(),
         };
-        self.replace(chunk, &encode(&header, rows))
+        self.rename(chunk, &path, &encode(&header, rows))
             .map_err(|source| ChunkFault::Write { path, source })
     }
 
-    /// Writes a part, syncs it and gives it the name of the chunk.
-    fn replace(&self, chunk: u64, bytes: &[u8]) -> io::Result<()> {
-        let path = self.path(chunk);
+    fn rename(&self, chunk: u64, path: &Path, bytes: &[u8]) -> io::Result<()> {
         let own = format!(
             "{}{:016x}.part",
             part(chunk),
@@ -119,7 +151,7 @@ impl Store {
             .open(&temporary)?;
         let written = file.write_all(bytes).and_then(|()| file.sync_all());
         drop(file);
-        match written.and_then(|()| fs::rename(&temporary, &path)) {
+        match written.and_then(|()| fs::rename(&temporary, path)) {
             // Another writer of this chunk was faster, and has taken our part for one that was left.
             Err(error) if error.kind() == ErrorKind::NotFound && path.exists() => {}
             Err(error) => {
@@ -160,7 +192,10 @@ impl Store {
             Err(source) => return Err(ChunkFault::Read { path, source }),
         };
         match decode(&bytes) {
-            Ok((header, rows)) => self.accept(chunk, header).map(|()| Some(rows)),
+            Ok((header, rows)) => {
+                let own = self.plan.range(chunk);
+                self.accept(chunk, header, own).map(|()| Some(rows))
+            }
             Err(Broken::Foreign) => Err(ChunkFault::Foreign(path)),
             Err(Broken::Damaged) => Err(ChunkFault::Damaged(path)),
             Err(Broken::Length(expected)) => Err(ChunkFault::Length {
@@ -171,8 +206,8 @@ impl Store {
         }
     }
 
-    /// Whether a chunk is one of this study.
-    fn accept(&self, chunk: u64, header: Header) -> Result<(), ChunkFault> {
+    /// Whether a chunk is one of this study, with these variants.
+    fn accept(&self, chunk: u64, header: Header, expected: Range<u64>) -> Result<(), ChunkFault> {
         let path = self.path(chunk);
         let Identity {
             study,
@@ -194,7 +229,7 @@ impl Store {
                 expected: engine.clone(),
             });
         }
-        let (found, expected) = (header.from..header.to, self.plan.range(chunk));
+        let found = header.from..header.to;
         if found != expected {
             return Err(ChunkFault::Rows {
                 path,
