@@ -6,7 +6,7 @@
 //! | `--seed N`      | of all random numbers [1]                                                    |
 //! | `--first N`     | number of the first mutant [0]; with `--mutants 1` it repeats a find         |
 //! | `--limit S`     | `max_wall_time` of runs [0.3 s]                                              |
-//! | `--only CLASS`  | structure, tokens, bytes, set or results                                     |
+//! | `--only CLASS`  | structure, extremes, tokens, bytes, set or results                                 |
 //! | `--process`     | runs the binary instead of calling it: signals, exit statuses, real streams  |
 //! | `--output DIR`  | where inputs of finds are written                                            |
 //!
@@ -94,7 +94,7 @@ fn main() -> ExitCode {
     fuzz::watch(HANG);
     let start = Instant::now();
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
-    let mut tried = [0_usize; 5];
+    let mut tried = [0_usize; Class::ALL.len()];
     for number in options.first..options.first + options.mutants {
         let mutant = fuzzer.mutant(number);
         if options
@@ -165,7 +165,7 @@ fn tell(options: &Options, number: u64, mutant: &Mutant, find: &Find) {
             write(format!("{number}-results.csv"), &mutant.bytes);
             write(format!("{number}-summary.json"), &mutant.summary);
         }
-        Class::Structure | Class::Tokens | Class::Bytes | Class::Sets => {
+        Class::Structure | Class::Extremes | Class::Tokens | Class::Bytes | Class::Sets => {
             write(format!("{number}.json"), &mutant.bytes)
         }
     }

@@ -1,7 +1,8 @@
 //! What the packages for other languages need beside the face. It changes without notice.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use linkdyn_model::Beside;
 use linkdyn_output::{Column, Stage};
 
 use crate::error::Error;
@@ -9,15 +10,22 @@ use crate::family::Family;
 use crate::mechanism::Mechanism;
 use crate::run::Run;
 
+pub use crate::broken::caught;
 pub use linkdyn_engine::analysis::Progress;
 pub use linkdyn_engine::system::{System, Terms};
 
-/// Reads a model file that has this name, and is at a path, beside which its tables are.
+/// Reads a model file that has this name, and is at a path, beside which its tables are, or in folders that are allowed.
 ///
 /// # Errors
 /// [`Error::Model`] with all faults of the model.
-pub fn read(stem: &str, text: &[u8], path: &Path) -> Result<Mechanism, Error> {
-    Mechanism::read_beside(stem, text.to_vec(), path)
+pub fn read(
+    stem: &str,
+    text: &[u8],
+    path: &Path,
+    allowed: Vec<PathBuf>,
+) -> Result<Mechanism, Error> {
+    let path = path.to_owned();
+    Mechanism::read_beside(stem, text.to_vec(), Beside { path, allowed })
 }
 
 /// The mechanism with values of its model set at once, each as `PATH=VALUE`: what is legal only together can be set.

@@ -38,6 +38,7 @@ pub mod cli;
 pub mod guide;
 pub mod prelude;
 
+mod broken;
 mod error;
 mod family;
 mod files;

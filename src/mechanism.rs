@@ -1,12 +1,12 @@
 //! A mechanism ready to run, and handles of its parameters and columns.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::str::FromStr;
 use std::sync::{Arc, OnceLock};
 
 use linkdyn_engine::analysis::Prepared;
 use linkdyn_model::error::Complaints;
-use linkdyn_model::{Checked, Loaded, Model, bundled};
+use linkdyn_model::{Beside, Checked, Loaded, Model, bundled};
 use linkdyn_output::{ColumnId, Stage, Stopwatch};
 use sha2::{Digest, Sha256};
 
@@ -62,8 +62,8 @@ pub struct Mechanism {
 struct File {
     /// The file's name without its end, or that of a bundled model.
     stem: String,
-    /// Where it is, and its tables beside it.
-    path: PathBuf,
+    /// Where it is, and which files it may name.
+    beside: Beside,
     text: Vec<u8>,
     /// Of the text, hexadecimal.
     sha256: String,
@@ -98,12 +98,12 @@ impl Mechanism {
     /// ```
     pub fn open(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
-        let text = std::fs::read(path).map_err(|cause| Error::Read {
+        let text = linkdyn_model::read_file(path).map_err(|cause| Error::Read {
             path: path.to_owned(),
             cause,
         })?;
         let stem = path.file_stem().unwrap_or_default();
-        Mechanism::read_beside(&stem.to_string_lossy(), text, path)
+        Mechanism::read_beside(&stem.to_string_lossy(), text, Beside::of(path))
     }
 
     /// A bundled model, such as `four-bar`, `lock` or `nfourbar:40`.
@@ -139,14 +139,14 @@ impl Mechanism {
     }
 
     pub(crate) fn read(stem: &str, text: Vec<u8>) -> Result<Self, Error> {
-        Mechanism::read_beside(stem, text, Path::new(""))
+        Mechanism::read_beside(stem, text, Beside::default())
     }
 
     /// The text of a file that is there.
-    pub(crate) fn read_beside(stem: &str, text: Vec<u8>, path: &Path) -> Result<Self, Error> {
+    pub(crate) fn read_beside(stem: &str, text: Vec<u8>, beside: Beside) -> Result<Self, Error> {
         let file = File {
             stem: stem.to_owned(),
-            path: path.to_owned(),
+            beside,
             sha256: format!("{:x}", Sha256::digest(&text)),
             text,
         };
@@ -156,7 +156,7 @@ impl Mechanism {
     /// Reads the text with values set, and gives parameters other values.
     fn load(file: Arc<File>, sets: Vec<String>, given: &[(&str, f64)]) -> Result<Self, Error> {
         let watch = Stopwatch::start();
-        let loaded = linkdyn_model::load_beside(&file.text, &sets, &file.path)?;
+        let loaded = linkdyn_model::load_beside(&file.text, &sets, &file.beside)?;
         let prepared = match loaded.model.analysis {
             Some(_) => {
                 let prepared = Prepared::new(&loaded.model);

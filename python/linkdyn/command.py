@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from . import _linkdyn
-from .errors import Complaint, Interrupted, ModelError, SolveError
+from .errors import Complaint, InternalError, Interrupted, ModelError, SolveError
 
 __all__ = ["Answer"]
 
-DONE, FAULT, BAD_INPUT, STOPPED, INTERRUPTED = 0, 1, 2, 3, 130
+DONE, FAULT, BAD_INPUT, STOPPED, UNWRITTEN, BROKEN, INTERRUPTED = 0, 1, 2, 3, 4, 5, 130
 
 
 class Answer(dict[str, Any]):
@@ -55,6 +55,8 @@ def execute(arguments: Iterable[str]) -> _linkdyn.Said:
 
     :raises ModelError: where the input is bad.
     :raises SolveError: where numerics or geometry forbid to go on.
+    :raises OSError: where something can't be written.
+    :raises InternalError: where linkdyn itself is at fault.
     :raises Interrupted: where Ctrl-C stopped it.
     """
     said, stopped = _linkdyn.command(list(arguments))
@@ -69,6 +71,10 @@ def execute(arguments: Iterable[str]) -> _linkdyn.Said:
         raise ModelError(text, complaints)
     if said.status == STOPPED:
         raise SolveError(text)
+    if said.status == UNWRITTEN:
+        raise OSError(text)
+    if said.status == BROKEN:
+        raise InternalError(text)
     return said
 
 

@@ -27,6 +27,10 @@ Value: TypeAlias = "str | int | float | bool | Mapping[str, Any] | list[Any] | N
 """A value of a model, as its JSON has it; texts such as ``"40 mm"`` or ``"2*r"`` mean what they mean in a file."""
 
 
+_LARGEST = 64 * 1024 * 1024
+"""Bytes of a model file at most; what is larger is refused by whoever reads it."""
+
+
 def models() -> list[str]:
     """Names of the bundled models.
 
@@ -39,11 +43,12 @@ def models() -> list[str]:
     return [name for head in heads for name in head.split(", ")]
 
 
-def load(source: Source) -> Model:
+def load(source: Source, allow_files: Iterable[str | PathLike[str]] = ()) -> Model:
     """Reads a model and checks it.
 
     :param source: the path of a model file, the name of a bundled model (where there is no such file), JSON text, or a
         dictionary of the same shape.
+    :param allow_files: folders below which the model may name files, besides its own folder.
     :raises ModelError: with all faults of the model.
     :raises UnknownModel: where there is neither such a file nor a bundled model of that name.
 
@@ -51,16 +56,19 @@ def load(source: Source) -> Model:
     >>> linkdyn.load("lock").name
     'Watt-I lock'
     """
+    allowed = [fspath(folder) for folder in allow_files]
     if isinstance(source, Mapping):
-        return Model._of_text("model", json.dumps(source, default=_plain).encode())
+        return Model._of_text("model", json.dumps(source, default=_plain).encode(), allowed)
     if isinstance(source, bytes):
-        return Model._of_text("model", source)
+        return Model._of_text("model", source, allowed)
     if isinstance(source, str) and source.lstrip()[:1] == "{":
-        return Model._of_text("model", source.encode())
+        return Model._of_text("model", source.encode(), allowed)
     path = Path(fspath(source))
     if isinstance(source, str) and not path.is_file():
         return Model(_linkdyn.Mechanism.bundled(source), source, None)
-    return Model._of_text(path.stem, path.read_bytes(), str(path))
+    with path.open("rb") as file:
+        text = file.read(_LARGEST + 1)
+    return Model._of_text(path.stem, text, allowed, str(path))
 
 
 class Model:
@@ -81,8 +89,8 @@ class Model:
         self._sets = sets
 
     @classmethod
-    def _of_text(cls, stem: str, text: bytes, path: str = "") -> Model:
-        core = _linkdyn.Mechanism.read(stem, text, path)
+    def _of_text(cls, stem: str, text: bytes, allowed: list[str], path: str = "") -> Model:
+        core = _linkdyn.Mechanism.read(stem, text, path, allowed)
         # Tables of files beside it are in the model from here on.
         return cls(core, stem, core.to_json().encode() if b'"file"' in text else text)
 
@@ -271,7 +279,7 @@ class Model:
         with tempfile.TemporaryDirectory() as folder:
             best = Path(folder) / "best.json"
             answer = self._ask("optimise", [*options, "--write", str(best)], "optimise.json", None)
-            return answer, Model._of_text(self._label, best.read_bytes())
+            return answer, Model._of_text(self._label, best.read_bytes(), [])
 
     def study(
         self,

@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import html
 import json
+import re
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
@@ -36,8 +37,16 @@ __all__ = ["Backend", "Study", "Table"]
 Backend: TypeAlias = "str | Callable[..., Iterator[object]]"
 """``local``, ``ray``, ``dask``, ``joblib``, or a function like those of ``linkdyn.backends``."""
 
+# What a spreadsheet would take for a formula has an apostrophe before it in a file.
+_ESCAPED = re.compile(r"'+[=+\-@]")
+
 # More shares than chunks: the last one has nothing to do but to say what the study is.
 _MANY = 1 << 40
+
+
+def _name(head: str) -> str:
+    """The heading that was written as this cell."""
+    return head[1:] if _ESCAPED.match(head) else head
 
 
 class Table(Mapping[str, Array]):
@@ -67,8 +76,8 @@ class Table(Mapping[str, Array]):
     def _heads(self) -> list[str]:
         if isinstance(self._source, Path) and "_rows" not in self.__dict__:
             with self._source.open(encoding="utf-8") as file:
-                return next(csv.reader(file))
-        return self._rows[0]
+                return [_name(head) for head in next(csv.reader(file))]
+        return [_name(head) for head in self._rows[0]]
 
     @cached_property
     def _columns(self) -> dict[str, Array]:

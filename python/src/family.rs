@@ -14,7 +14,7 @@ use crate::answers::{Answers, Statuses};
 use crate::errors::exception;
 use crate::work::{Watch, watched};
 
-/// Words by which variants are told to have ended, in the order of their numbers; the last two are ours.
+/// Words by which variants are told to have ended, in the order of their numbers; behind them are [`REFUSED`] and [`FAILED`].
 const WORDS: [Status; 8] = [
     Status::Completed,
     Status::CompletedWithGaps,
@@ -27,6 +27,8 @@ const WORDS: [Status; 8] = [
 ];
 /// The number of a variant that the model's check refuses.
 const REFUSED: u8 = 8;
+/// The number of a variant that met a fault of linkdyn itself.
+const FAILED: u8 = 9;
 /// Rows that a thread takes at once: few enough that all end together.
 const PORTION: usize = 16;
 
@@ -48,7 +50,7 @@ impl Family {
     #[pyo3(name = "WORDS")]
     fn words() -> Vec<&'static str> {
         let words = WORDS.iter().map(|status| status.word());
-        words.chain(["refused"]).collect()
+        words.chain(["refused", "failed"]).collect()
     }
 
     /// Names of the parameters.
@@ -144,18 +146,20 @@ impl Table {
         let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
         let threads = threads.clamp(1, rows.div_ceil(PORTION).max(1));
         let share = || -> Result<(), Error> {
-            let control = Control {
-                interrupted: Arc::clone(&watch.interrupted),
-                ..Control::default()
+            let begin = || {
+                self.family.member_under(Control {
+                    interrupted: Arc::clone(&watch.interrupted),
+                    ..Control::default()
+                })
             };
-            let mut member = self.family.member_under(control);
+            let mut member = begin();
             loop {
                 let from = next.fetch_add(PORTION, Ordering::Relaxed);
                 if from >= rows || watch.interrupted.load(Ordering::Relaxed) {
                     return Ok(());
                 }
                 watch.progress.note(from as f64, rows as f64);
-                let portion = self.portion(&mut member, from..rows.min(from + PORTION));
+                let portion = self.portion(&mut member, begin, from..rows.min(from + PORTION));
                 done.lock()
                     .unwrap_or_else(std::sync::PoisonError::into_inner)
                     .push(portion);
@@ -191,7 +195,12 @@ impl Table {
         Ok(found)
     }
 
-    fn portion(&self, member: &mut linkdyn::Member<'_>, rows: std::ops::Range<usize>) -> Portion {
+    fn portion<'f>(
+        &'f self,
+        member: &mut linkdyn::Member<'f>,
+        begin: impl Fn() -> linkdyn::Member<'f>,
+        rows: std::ops::Range<usize>,
+    ) -> Portion {
         let (inputs, width) = (self.inputs, self.width);
         let mut portion = Portion {
             from: rows.start,
@@ -201,15 +210,19 @@ impl Table {
         };
         for (place, row) in rows.enumerate() {
             let answers = &mut portion.values[place * width..(place + 1) * width];
-            match member.run(&self.values[row * inputs..(row + 1) * inputs], answers) {
-                Ok(status) => portion.statuses.push(code(status)),
-                Err(error) => {
-                    answers.fill(f64::NAN);
-                    portion.statuses.push(REFUSED);
-                    portion
-                        .refused
-                        .get_or_insert_with(|| (row, error.to_string()));
+            let values = &self.values[row * inputs..(row + 1) * inputs];
+            let (status, said) = match bridge::caught(|| member.run(values, answers)) {
+                Ok(Ok(status)) => (code(status), None),
+                Ok(Err(error)) => (REFUSED, Some(error.to_string())),
+                Err(said) => {
+                    *member = begin();
+                    (FAILED, Some(format!("failed: {said}")))
                 }
+            };
+            portion.statuses.push(status);
+            if let Some(said) = said {
+                answers.fill(f64::NAN);
+                portion.refused.get_or_insert((row, said));
             }
         }
         portion

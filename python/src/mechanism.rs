@@ -1,6 +1,6 @@
 //! A model that was read and checked.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -27,9 +27,15 @@ pub struct Mechanism {
 impl Mechanism {
     /// Reads the text of a model file that has this name, and is at a path, beside which its tables are.
     #[staticmethod]
-    #[pyo3(signature = (stem, text, path = ""))]
-    fn read(py: Python<'_>, stem: &str, text: &[u8], path: &str) -> PyResult<Self> {
-        Mechanism::new(py, || bridge::read(stem, text, Path::new(path)))
+    #[pyo3(signature = (stem, text, path = "", allowed = Vec::new()))]
+    fn read(
+        py: Python<'_>,
+        stem: &str,
+        text: &[u8],
+        path: &str,
+        allowed: Vec<PathBuf>,
+    ) -> PyResult<Self> {
+        Mechanism::new(py, || bridge::read(stem, text, Path::new(path), allowed))
     }
 
     /// A bundled model.

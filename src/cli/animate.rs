@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::measures::{dpi, mark, number_within};
 use super::open;
 use super::page::{Page, count, number};
@@ -94,7 +94,7 @@ const HELP: &str = "  linkdyn run four-bar -o out
   linkdyn animate out --poses 8 --strip --width 180 -o poses.svg";
 
 /// Reads, draws, writes, tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let format = extension(&options.output);
     let file = options.output.display();
     if !["gif", "apng", "svg", "png"].contains(&format.as_str()) {
@@ -131,7 +131,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// Refuses options that say nothing about a file of that format.
-fn idle(options: &Options, format: &str) -> Result<(), BadInput> {
+fn idle(options: &Options, format: &str) -> Result<(), Failure> {
     let of_film = [
         ("--fps", options.fps.is_some()),
         ("--duration", options.duration.is_some()),
@@ -178,7 +178,7 @@ fn idle(options: &Options, format: &str) -> Result<(), BadInput> {
 }
 
 /// The shape: of the model that was given, else as the run has kept it.
-fn shape_of(options: &Options, results: &Results) -> Result<Shape, BadInput> {
+fn shape_of(options: &Options, results: &Results) -> Result<Shape, Failure> {
     if let Some(path) = &options.model {
         let loaded = open::model(path)?;
         return Ok(shape_for(&loaded.model, &results.table));
@@ -235,7 +235,7 @@ fn film_width(options: &Options) -> f64 {
 }
 
 /// The curves of a film, where some are asked for.
-fn curves_of(options: &Options) -> Result<Option<MovingChart>, BadInput> {
+fn curves_of(options: &Options) -> Result<Option<MovingChart>, Failure> {
     if options.y.is_empty() {
         return Ok(None);
     }

@@ -6,7 +6,7 @@ use clap::Args;
 use serde_json::{Map, Value, json};
 
 use super::diagnosis;
-use super::exit::{BadInput, Exit};
+use super::exit::{Exit, Failure};
 use super::open::{ModelOptions, Opened, bad_input};
 use super::optimise;
 use super::page::{Page, names, number, shorten, wrapped};
@@ -43,7 +43,7 @@ const HELP: &str = "  linkdyn check mine.json
 What a message means, and what to do: linkdyn docs messages.";
 
 /// Diagnoses and tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let opened = match options.model.open_with(&[])? {
         Ok(opened) => opened,
         Err(complaints) => return refuse(options, complaints),
@@ -75,7 +75,12 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     match Exit::from(check.status) {
         Exit::Done if check.faults.is_empty() => Ok(Exit::Done),
         Exit::Done => Ok(Exit::Fault),
-        exit @ (Exit::Fault | Exit::BadInput | Exit::Stopped | Exit::Interrupted) => {
+        exit @ (Exit::Fault
+        | Exit::BadInput
+        | Exit::Stopped
+        | Exit::Unwritten
+        | Exit::Broken
+        | Exit::Interrupted) => {
             complain(check.message.as_deref().unwrap_or(check.status.word()));
             Ok(exit)
         }
@@ -83,7 +88,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// Tells why a model is refused, with a page where one was asked for.
-fn refuse(options: &Options, complaints: Complaints) -> Result<Exit, BadInput> {
+fn refuse(options: &Options, complaints: Complaints) -> Result<Exit, Failure> {
     if let Some(output) = &options.output {
         let written = refused::write(&Directory::open(output)?, &options.model, &complaints)?;
         let mut page = Page::default();

@@ -4,7 +4,7 @@ use clap::{Args, CommandFactory};
 use clap_complete::{Shell, generate};
 
 use super::Arguments;
-use super::exit::{BadInput, Exit};
+use super::exit::{Exit, Failure};
 use super::streams::print;
 
 #[derive(Debug, Args)]
@@ -19,7 +19,7 @@ const HELP: &str = "  linkdyn completions bash > ~/.local/share/bash-completion/
   linkdyn completions fish > ~/.config/fish/completions/linkdyn.fish";
 
 /// Prints the script of a shell.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let mut script = Vec::new();
     generate(
         options.shell,

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::exit::BadInput;
+use super::exit::Failure;
 use super::open::Opened;
 use super::shape::shape_for;
 use super::words::mobility;
@@ -28,7 +28,7 @@ pub fn write(
     check: &Check,
     verdict: &str,
     lacks: &[String],
-) -> Result<PathBuf, BadInput> {
+) -> Result<PathBuf, Failure> {
     let model = &opened.loaded.model;
     let pose = pose(model, check);
     let shape = shape_for(model, &table(model, &pose));

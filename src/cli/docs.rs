@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::near::did_you_mean;
 use super::page::Page;
 use super::streams::print;
@@ -93,7 +93,7 @@ const PAGES: [(&str, &str, &str); 15] = [
 ];
 
 /// Lists the pages, or prints one.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let Some(wanted) = &options.page else {
         let mut list = Page::default();
         for (name, about, _) in PAGES {

@@ -1,4 +1,4 @@
-//! How a command ended: exit statuses, and bad input in words.
+//! How a command ended: exit statuses, and whose fault it is, in words.
 
 use std::io;
 
@@ -15,6 +15,10 @@ pub enum Exit {
     BadInput,
     /// Numerics or geometry forbid to go on.
     Stopped,
+    /// The system takes no more: a full disk, a folder without permission, an output that is closed.
+    Unwritten,
+    /// A fault of linkdyn itself.
+    Broken,
     /// The user wanted it to stop.
     Interrupted,
 }
@@ -27,6 +31,8 @@ impl Exit {
             Exit::Fault => 1,
             Exit::BadInput => 2,
             Exit::Stopped => 3,
+            Exit::Unwritten => 5,
+            Exit::Broken => 6,
             Exit::Interrupted => 130,
         }
     }
@@ -46,19 +52,52 @@ impl From<Status> for Exit {
     }
 }
 
-/// Bad input: what to tell, a line each.
+/// Why a command did not do what was asked: whose fault it is, and what to tell, a line each.
 #[derive(Debug, PartialEq, Eq)]
-pub struct BadInput(pub Vec<String>);
+pub enum Failure {
+    /// That of the input.
+    BadInput(Vec<String>),
+    /// That of the system, which does not take what is written.
+    Unwritten(String),
+    /// That of linkdyn.
+    Broken(String),
+}
 
-impl From<WriteError> for BadInput {
-    fn from(error: WriteError) -> Self {
-        BadInput(vec![error.to_string()])
+pub use Failure::BadInput;
+
+impl Failure {
+    /// What it is for the process, and the lines to tell.
+    pub fn parts(self) -> (Exit, Vec<String>) {
+        match self {
+            Failure::BadInput(lines) => (Exit::BadInput, lines),
+            Failure::Unwritten(line) => (Exit::Unwritten, vec![line]),
+            Failure::Broken(line) => (Exit::Broken, vec![line]),
+        }
     }
 }
 
-impl From<io::Error> for BadInput {
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        match error {
+            // these would go another way with another -o
+            WriteError::NotADirectory(_) | WriteError::InTheWay(_) => {
+                BadInput(vec![error.to_string()])
+            }
+            WriteError::MakeDirectory { ref source, .. }
+                if source.kind() == io::ErrorKind::NotADirectory =>
+            {
+                BadInput(vec![error.to_string()])
+            }
+            WriteError::MakeDirectory { .. }
+            | WriteError::Write { .. }
+            | WriteError::Replace { .. } => Failure::Unwritten(error.to_string()),
+        }
+    }
+}
+
+impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
-        BadInput(vec![format!("standard output can't be written: {error}")])
+        Failure::Unwritten(format!("standard output can't be written: {error}"))
     }
 }
 

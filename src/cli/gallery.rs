@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::exit::BadInput;
+use super::exit::{BadInput, Failure};
 use super::open::bad_input;
 use crate::files::shape;
 use linkdyn_engine::analysis::{self, Control};
@@ -27,7 +27,7 @@ const POSES: usize = 4;
 pub fn draw<'a>(
     names: impl Iterator<Item = &'a str>,
     directory: &Directory,
-) -> Result<Vec<PathBuf>, BadInput> {
+) -> Result<Vec<PathBuf>, Failure> {
     let mut written = Vec::new();
     for name in names {
         let picture = picture(name)?;
@@ -39,7 +39,7 @@ pub fn draw<'a>(
 }
 
 /// A model in motion, as PNG.
-fn picture(name: &str) -> Result<Vec<u8>, BadInput> {
+fn picture(name: &str) -> Result<Vec<u8>, Failure> {
     let bad = |why: &dyn std::fmt::Display| BadInput(vec![format!("{name}: {why}")]);
     let text = bundled::text(name).map_err(|why| bad(&why))?;
     let all = |found| bad_input(name, found);

@@ -1,6 +1,7 @@
-//! Ctrl-C: the first one asks the run to stop and to write what it has, the second one ends the process.
+//! Ctrl-C, and the signals by which a system asks a process to end (SIGTERM, SIGHUP): the first one asks the run to stop and to
+//! write what it has, the second one ends the process.
 //!
-//! In another program, which has its own way with Ctrl-C, it is that program's flag that asks (`hosted`).
+//! In another program, which has its own way with signals, it is that program's flag that asks (`hosted`).
 
 use std::cell::RefCell;
 use std::io::{self, IsTerminal, Write};
@@ -34,14 +35,43 @@ pub fn watch() -> Arc<AtomicBool> {
     let begin = || {
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
-        // Where no handler can be set, Ctrl-C ends the process as it always does.
-        let _ = ctrlc::set_handler(move || handle(&flag));
+        listen(flag);
         interrupted
     };
     Arc::clone(INTERRUPTED.get_or_init(begin))
 }
 
-/// Whether Ctrl-C was pressed.
+/// Handles signals from now on. Where no handler can be set, they end the process as they always do.
+#[cfg(unix)]
+fn listen(flag: Arc<AtomicBool>) {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    let others = [SIGTERM, SIGHUP].into_iter();
+    let signals = others.filter(|&signal| !is_ignored(signal)).chain([SIGINT]);
+    let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) else {
+        return;
+    };
+    std::thread::spawn(move || signals.forever().for_each(|_| handle(&flag)));
+}
+
+/// Whether whoever started the process has it live on after a signal, as `nohup` does; known on Linux.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.and_then(|text| u64::from_str_radix(text.trim(), 16).ok());
+    ignored.is_some_and(|ignored| ignored >> (signal - 1) & 1 == 1)
+}
+
+#[cfg(not(unix))]
+fn listen(flag: Arc<AtomicBool>) {
+    use signal_hook::{consts::SIGINT, flag};
+    // in this order the second one finds the flag set
+    let end = Exit::Interrupted.code().into();
+    let _ = flag::register_conditional_shutdown(SIGINT, end, Arc::clone(&flag));
+    let _ = flag::register(SIGINT, flag);
+}
+
+/// Whether Ctrl-C was pressed, or the process is to end.
 pub fn is_set() -> bool {
     watch().load(Ordering::SeqCst)
 }

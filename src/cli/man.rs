@@ -6,7 +6,7 @@ use clap::{Args, CommandFactory};
 use clap_mangen::Man;
 
 use super::Arguments;
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::near::did_you_mean;
 use super::page::Page;
 use super::streams::print;
@@ -27,7 +27,7 @@ const HELP: &str = "  linkdyn man run | man -l -
   linkdyn man -o ~/.local/share/man/man1";
 
 /// Prints a page, or writes all.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let pages = pages()?;
     if let Some(folder) = &options.output {
         let folder = Directory::open(folder)?;
@@ -60,7 +60,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// Name and text of every page.
-fn pages() -> Result<Vec<(String, String)>, BadInput> {
+fn pages() -> Result<Vec<(String, String)>, Failure> {
     let mut whole = Arguments::command().disable_help_subcommand(true);
     whole.build();
     let own = whole.get_subcommands().map(|command| {

@@ -13,7 +13,8 @@
 //! | `watch`     | runs again when a file changes                           |
 //! | `live`      | the page that shows the report of each of these runs     |
 //! | `progress`  | the line that tells how far a run has come               |
-//! | `interrupt` | Ctrl-C                                                   |
+//! | `interrupt` | Ctrl-C, and other signals to end                         |
+//! | `threads`   | how many threads share the work                          |
 //! | `gallery`   | pictures of the bundled models                           |
 //! | `shape`     | the shape of a model, for results that were read         |
 
@@ -51,6 +52,7 @@ mod shape;
 mod streams;
 mod study;
 mod summary;
+mod threads;
 mod tolerances;
 mod validate;
 mod watch;
@@ -65,9 +67,11 @@ use std::sync::atomic::AtomicBool;
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
 
-use exit::{BadInput, Exit};
+use exit::{Exit, Failure};
 pub use streams::Said;
 use streams::{complain, kept, remark};
+
+use crate::broken::caught;
 
 /// Planar multibody dynamics of linkages: assembly, kinematics, forces, statics, motion.
 #[derive(Debug, Parser)]
@@ -78,7 +82,7 @@ struct Arguments {
 }
 
 const EXIT_HELP: &str = "Exit status: 0 done, 1 a check or validation found a fault, 2 the input is bad, \
-3 numerics or geometry forbid to go on, 130 interrupted.\n\n\
+3 numerics or geometry forbid to go on, 4 something can't be written, 5 a fault of linkdyn itself, 130 interrupted.\n\n\
 Begin with `linkdyn new`. `linkdyn docs tutorial` builds a model step by step; `linkdyn docs messages` explains messages.";
 
 #[derive(Debug, Subcommand)]
@@ -140,33 +144,44 @@ fn execute(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(arguments) => arguments,
         Err(error) => return refuse(&error),
     };
-    let exit = match arguments.command {
-        Command::New(options) => new::execute(&options),
-        Command::Run(options) => run::execute(&options),
-        Command::Check(options) => check::execute(&options),
-        Command::Compare(options) => compare::execute(&options),
-        Command::Accuracy(options) => accuracy::execute(&options),
-        Command::Allocate(options) => allocate::execute(&options),
-        Command::Modes(options) => modes::execute(&options),
-        Command::Study(options) => study::execute(&options),
-        Command::Optimise(options) => optimise::execute(&options),
-        Command::Plot(options) => plot::execute(&options),
-        Command::Animate(options) => animate::execute(&options),
-        Command::Validate(options) => validate::execute(&options),
-        Command::Models(options) => models::execute(&options),
-        Command::Schema => schema::execute(),
-        Command::Docs(options) => docs::execute(&options),
-        Command::Completions(options) => completions::execute(&options),
-        Command::Man(options) => man::execute(&options),
-    };
-    let exit = exit.unwrap_or_else(|BadInput(lines)| {
+    let done = caught(|| arguments.command.execute()).unwrap_or_else(|said| {
+        Err(Failure::Broken(format!(
+            "this is a fault of linkdyn itself, not of the input: {said} (please report it with the model and this command)"
+        )))
+    });
+    let exit = done.unwrap_or_else(|failure| {
+        let (exit, lines) = failure.parts();
         lines.iter().for_each(|line| complain(line));
-        Exit::BadInput
+        exit
     });
     if matches!(exit, Exit::BadInput | Exit::Stopped) {
         advise();
     }
     exit.code()
+}
+
+impl Command {
+    fn execute(self) -> Result<Exit, Failure> {
+        match self {
+            Command::New(options) => new::execute(&options),
+            Command::Run(options) => run::execute(&options),
+            Command::Check(options) => check::execute(&options),
+            Command::Compare(options) => compare::execute(&options),
+            Command::Accuracy(options) => accuracy::execute(&options),
+            Command::Allocate(options) => allocate::execute(&options),
+            Command::Modes(options) => modes::execute(&options),
+            Command::Study(options) => study::execute(&options),
+            Command::Optimise(options) => optimise::execute(&options),
+            Command::Plot(options) => plot::execute(&options),
+            Command::Animate(options) => animate::execute(&options),
+            Command::Validate(options) => validate::execute(&options),
+            Command::Models(options) => models::execute(&options),
+            Command::Schema => schema::execute(),
+            Command::Docs(options) => docs::execute(&options),
+            Command::Completions(options) => completions::execute(&options),
+            Command::Man(options) => man::execute(&options),
+        }
+    }
 }
 
 /// Tells people, not programs, where messages are explained.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::Value;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::gallery;
 use super::near::did_you_mean;
 use super::page::{Page, wrapped};
@@ -36,7 +36,7 @@ What each of them is tested against: linkdyn docs models.";
 const WIDTH: usize = 110;
 
 /// Lists the models, or prints one as it is.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let Some(name) = &options.name else {
         match &options.output {
             Some(path) => pictures(bundled::MODELS.iter().map(|model| model.name), path)?,
@@ -67,7 +67,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// Draws models and tells the files.
-fn pictures<'a>(names: impl Iterator<Item = &'a str>, path: &Path) -> Result<(), BadInput> {
+fn pictures<'a>(names: impl Iterator<Item = &'a str>, path: &Path) -> Result<(), Failure> {
     let mut page = Page::default();
     for written in gallery::draw(names, &Directory::open(path)?)? {
         page.line(written.display().to_string());
@@ -109,7 +109,7 @@ fn about(model: &Bundled) -> String {
     word("about").or_else(|| word("name")).unwrap_or_default()
 }
 
-fn unknown(name: &str) -> BadInput {
+fn unknown(name: &str) -> Failure {
     let hint = did_you_mean(name, bundled::names(), "`linkdyn models` lists them");
     BadInput(vec![format!(
         "{name}: no bundled model of that name ({hint})"

@@ -9,7 +9,7 @@ use std::time::Instant;
 use clap::Args;
 use serde_json::{Value, json};
 
-use super::exit::{BadInput, Exit};
+use super::exit::{Exit, Failure};
 use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::page::{Page, number};
@@ -50,7 +50,7 @@ const HELP: &str = "  linkdyn modes double-pendulum
 How the equilibrium is found: linkdyn docs theory. What the files hold: linkdyn docs results.";
 
 /// Linearises, writes, tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let opened = options.model.open()?;
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
     let control = Control {
@@ -64,17 +64,17 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     found
         .warnings
         .splice(0..0, opened.loaded.warnings.iter().cloned());
+    // The page comes first: a warning says why there is none.
+    let moving = directory
+        .as_ref()
+        .map(|directory| moving::write(directory, PAGE, (&opened, options.pose), &mut found));
+    let moving = moving.transpose()?.flatten();
     let json = to_json(&opened, options.pose, &found);
     let mut written = Vec::new();
     if let Some(directory) = directory {
         written.push(directory.write_with(TABLE, |file| csv::write(&table(&found), file))?);
         written.push(directory.write(SUMMARY, format!("{json:#}\n").as_bytes())?);
-        written.extend(moving::write(
-            &directory,
-            PAGE,
-            (&opened, options.pose),
-            &found,
-        )?);
+        written.extend(moving);
     }
     print(&if options.json {
         format!("{json:#}\n")

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::near::did_you_mean;
 use super::page::Page;
 use super::streams::print;
@@ -60,7 +60,7 @@ const HELP: &str = "  linkdyn new -o mine.json
 How a model is made, step by step: linkdyn docs tutorial. All that may stand in it: linkdyn docs format.";
 
 /// Writes the model and tells what to type next.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let name = options.template.as_str();
     let Some((_, about, text)) = TEMPLATES.iter().find(|(known, ..)| *known == name) else {
         let known = TEMPLATES.map(|(known, ..)| known);
@@ -89,7 +89,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         .open(&path)
         .and_then(|mut file| file.write_all(text.as_bytes()));
     written.map_err(|error| {
-        BadInput(vec![match error.kind() {
+        let said = match error.kind() {
             _ if path.is_dir() => {
                 format!(
                     "{shown}: a directory (name a file, such as {})",
@@ -102,8 +102,9 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
             ErrorKind::NotFound if !folder_of(&path).is_dir() => {
                 format!("{shown}: its folder does not exist (make it first)")
             }
-            _ => format!("{shown}: can't be written: {error}"),
-        }])
+            _ => return Failure::Unwritten(format!("{shown}: can't be written: {error}")),
+        };
+        BadInput(vec![said])
     })?;
     let file = quoted(&shown.to_string());
     let mut page = Page::default();

@@ -1,17 +1,16 @@
 //! MODEL: a path or a bundled model's name.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use sha2::{Digest, Sha256};
 
-use super::exit::BadInput;
+use super::exit::{BadInput, Failure};
 use super::near::did_you_mean;
 use crate::files::Origin;
 use linkdyn_model::bundled::{self, NotBundled};
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::{self, Loaded};
+use linkdyn_model::{self, Beside, Loaded};
 use linkdyn_output::{Stage, Stopwatch};
 
 /// The model and what is changed in it.
@@ -23,6 +22,9 @@ pub struct ModelOptions {
     /// Override a value of the model, as in parameters.crank="120 mm"; may be given more than once
     #[arg(long = "set", value_name = "PATH=VALUE")]
     sets: Vec<String>,
+    /// Let the model name files below this folder, besides those below its own; may be given more than once
+    #[arg(long = "allow-files", value_name = "DIR")]
+    allowed: Vec<PathBuf>,
 }
 
 /// A model that could be read.
@@ -53,7 +55,7 @@ impl ModelOptions {
     ///
     /// # Errors
     /// When there is no such model, or it has faults.
-    pub fn open(&self) -> Result<Opened, BadInput> {
+    pub fn open(&self) -> Result<Opened, Failure> {
         let label = self.model.display().to_string();
         self.open_with(&[])?
             .map_err(|complaints| bad_input(&label, complaints))
@@ -63,7 +65,7 @@ impl ModelOptions {
     ///
     /// # Errors
     /// When there is no such model.
-    pub fn bytes(&self) -> Result<Vec<u8>, BadInput> {
+    pub fn bytes(&self) -> Result<Vec<u8>, Failure> {
         read(&self.model)
     }
 
@@ -76,12 +78,16 @@ impl ModelOptions {
     ///
     /// # Errors
     /// When there is no such model; inside, its faults.
-    pub fn open_with(&self, more: &[String]) -> Result<Result<Opened, Complaints>, BadInput> {
+    pub fn open_with(&self, more: &[String]) -> Result<Result<Opened, Complaints>, Failure> {
         let watch = Stopwatch::start();
         let label = self.model.display().to_string();
         let bytes = read(&self.model)?;
         let sets = [self.sets.as_slice(), more].concat();
-        let loaded = match linkdyn_model::load_beside(&bytes, &sets, &self.model) {
+        let beside = Beside {
+            path: self.model.clone(),
+            allowed: self.allowed.clone(),
+        };
+        let loaded = match linkdyn_model::load_beside(&bytes, &sets, &beside) {
             Ok(loaded) => loaded,
             Err(complaints) => return Ok(Err(complaints)),
         };
@@ -110,8 +116,8 @@ impl ModelOptions {
 ///
 /// # Errors
 /// When there is no such model, or it has faults.
-pub fn model(path: &Path) -> Result<Loaded, BadInput> {
-    linkdyn_model::load_beside(&read(path)?, &[], path)
+pub fn model(path: &Path) -> Result<Loaded, Failure> {
+    linkdyn_model::load_beside(&read(path)?, &[], &Beside::of(path))
         .map_err(|complaints| bad_input(&path.display().to_string(), complaints))
 }
 
@@ -127,7 +133,7 @@ impl Opened {
     }
 
     /// Complaints about the model that came up after it was read.
-    pub fn bad_input(&self, complaints: Complaints) -> BadInput {
+    pub fn bad_input(&self, complaints: Complaints) -> Failure {
         bad_input(&self.label, self.loaded.source.place_all(complaints))
     }
 }
@@ -136,7 +142,7 @@ impl Opened {
 const MOST_COMPLAINTS: usize = 100;
 
 /// A line per complaint, each with the model's name.
-pub fn bad_input(label: &str, complaints: Complaints) -> BadInput {
+pub fn bad_input(label: &str, complaints: Complaints) -> Failure {
     let line = |complaint: &Complaint| format!("{label}: {complaint}");
     // The loader's own list ends with such a count.
     let most = if complaints.len() > MOST_COMPLAINTS + 1 {
@@ -155,7 +161,7 @@ pub fn bad_input(label: &str, complaints: Complaints) -> BadInput {
 }
 
 /// The bytes of a model: of a file where there is one, else of a bundled model.
-fn read(path: &Path) -> Result<Vec<u8>, BadInput> {
+fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let bundled = path
         .to_str()
         .map_or(Err(NotBundled::Unknown), bundled::text);
@@ -168,7 +174,7 @@ fn read(path: &Path) -> Result<Vec<u8>, BadInput> {
         }
         (Err(_) | Ok(_), _) => {}
     }
-    fs::read(path).map_err(|error| {
+    linkdyn_model::read_file(path).map_err(|error| {
         let label = path.display();
         BadInput(vec![match error.kind() {
             std::io::ErrorKind::NotFound => {

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use serde_json::{Map, Value};
 
 use super::diagnosis::{Finder, PAGE, table};
-use super::exit::BadInput;
+use super::exit::Failure;
 use super::open::ModelOptions;
 use super::shape::shape_for;
 use linkdyn_model::Checked;
@@ -32,7 +32,7 @@ pub fn write(
     directory: &Directory,
     options: &ModelOptions,
     complaints: &Complaints,
-) -> Result<PathBuf, BadInput> {
+) -> Result<PathBuf, Failure> {
     let bytes = options.bytes()?;
     let document: Option<Value> = serde_json::from_slice(&bytes).ok();
     let drawn = document.as_ref().and_then(drawable);

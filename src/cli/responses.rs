@@ -1,6 +1,6 @@
 //! Responses on the command line: asked for by `--response`, told in rows.
 
-use super::exit::BadInput;
+use super::exit::{BadInput, Failure};
 use super::open::{ModelOptions, Opened, bad_input};
 use super::page::{Page, number};
 use super::words::unit_words;
@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 ///
 /// # Errors
 /// When there is no such model, or it or a response has faults.
-pub fn open(model: &ModelOptions, asked: &[String]) -> Result<Opened, BadInput> {
+pub fn open(model: &ModelOptions, asked: &[String]) -> Result<Opened, Failure> {
     let mut sets = Vec::new();
     let mut faults = Vec::new();
     for text in asked {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::exit::BadInput;
+use super::exit::{BadInput, Failure};
 use crate::files::PEAKS;
 use linkdyn_model::bundled;
 use linkdyn_output::matches;
@@ -30,7 +30,7 @@ pub struct Results {
     pub summary: Option<Value>,
 }
 
-impl From<ReadError> for BadInput {
+impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         BadInput(vec![error.to_string()])
     }
@@ -41,7 +41,7 @@ impl Results {
     ///
     /// # Errors
     /// When there is no table, or one without rows.
-    pub fn open(path: &Path) -> Result<Self, BadInput> {
+    pub fn open(path: &Path) -> Result<Self, Failure> {
         let of_study = path.join(VARIANTS);
         let is_study = path.is_dir() && !path.join("results.csv").exists() && of_study.exists();
         let file = if is_study { &of_study } else { path };

@@ -8,7 +8,7 @@ use clap::Args;
 use crate::files::{self, Written, open_directory, summary_text, write};
 use crate::questions::deadline;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::live::Live;
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
@@ -59,7 +59,7 @@ enum Target {
 }
 
 /// Runs once, or again and again.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let is_stream = options.output.as_deref() == Some(Path::new("-"));
     let clash = [("--json", options.json), ("--watch", options.watch)];
     let clash: Vec<String> = clash
@@ -93,7 +93,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// Runs, writes, tells.
-fn once(options: &Options) -> Result<Exit, BadInput> {
+fn once(options: &Options) -> Result<Exit, Failure> {
     let started = Instant::now();
     let opened = responses::open(&options.model, &options.responses)?;
     // Tried before the run, so that nothing is computed in vain.
@@ -138,7 +138,7 @@ fn once(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// The outcome of the analysis; the warnings of the file come before its own.
-fn solve(opened: &Opened, started: Instant) -> Result<Outcome, BadInput> {
+fn solve(opened: &Opened, started: Instant) -> Result<Outcome, Failure> {
     let model = &opened.loaded.model;
     let control = Control {
         deadline: deadline(model, started),

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::interrupt;
 use super::near::nearest;
 use super::page::{Page, count, wrapped};
@@ -39,7 +39,7 @@ const HELP: &str = "  linkdyn validate lock-ideal
 What the cases are, and what is not reproduced: linkdyn docs validation.";
 
 /// Runs the cases and tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let started = Instant::now();
     let cases = choose(CASES, &options.cases)?;
     if let Some(output) = &options.output {
@@ -90,13 +90,13 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// Writes the page over the cases.
-fn write(output: &Path, index: &IndexPage) -> Result<(), BadInput> {
+fn write(output: &Path, index: &IndexPage) -> Result<(), Failure> {
     Directory::open(output)?.write(INDEX, index.html().as_bytes())?;
     Ok(())
 }
 
 /// Tells how many cases are done.
-fn interrupted(done: usize, whole: usize) -> Result<Exit, BadInput> {
+fn interrupted(done: usize, whole: usize) -> Result<Exit, Failure> {
     complain(&format!(
         "interrupted after {done} of {}",
         count(whole, "case")
@@ -105,7 +105,7 @@ fn interrupted(done: usize, whole: usize) -> Result<Exit, BadInput> {
 }
 
 /// The cases of these names, or all.
-fn choose<'a>(cases: &'a [Case], names: &[String]) -> Result<Vec<&'a Case>, BadInput> {
+fn choose<'a>(cases: &'a [Case], names: &[String]) -> Result<Vec<&'a Case>, Failure> {
     if names.is_empty() {
         return Ok(cases.iter().collect());
     }
@@ -206,7 +206,7 @@ mod tests {
         },
     ];
 
-    fn names(names: &[&str]) -> Result<Vec<&'static str>, BadInput> {
+    fn names(names: &[&str]) -> Result<Vec<&'static str>, Failure> {
         let names: Vec<String> = names.iter().map(|name| name.to_string()).collect();
         choose(&DUMMIES, &names).map(|cases| cases.iter().map(|case| case.name).collect())
     }

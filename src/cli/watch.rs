@@ -5,7 +5,7 @@ use std::path::Path;
 use std::thread::sleep;
 use std::time::{Duration, SystemTime};
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::interrupt;
 use super::streams::{complain, remark};
 
@@ -27,8 +27,8 @@ fn version(path: &Path) -> Version {
 /// When there is no file to watch.
 pub fn watch(
     path: &Path,
-    mut run: impl FnMut() -> Result<(Exit, String), BadInput>,
-) -> Result<Exit, BadInput> {
+    mut run: impl FnMut() -> Result<(Exit, String), Failure>,
+) -> Result<Exit, Failure> {
     let label = path.display();
     if !path.is_file() {
         return Err(BadInput(vec![format!(
@@ -40,8 +40,8 @@ pub fn watch(
         let seen = version(path);
         match run() {
             Ok((Exit::Interrupted, _)) => return Ok(Exit::Interrupted),
-            Ok((Exit::Done | Exit::Fault | Exit::BadInput | Exit::Stopped, word)) => look = word,
-            Err(BadInput(lines)) => lines.iter().for_each(|line| complain(line)),
+            Ok((_, word)) => look = word,
+            Err(failure) => failure.parts().1.iter().for_each(|line| complain(line)),
         }
         remark(&format!(
             "watching {label}: save it to run again, Ctrl-C ends{look}"

@@ -3,25 +3,16 @@
 //! A file has a line per point, with numbers between commas, semicolons or tabs. Its first line may name the columns, each with a
 //! unit in brackets: `angle [deg],pressure [bar]`. Lines that begin with # are remarks.
 
-use std::io::Read;
-use std::path::Path;
-
 use serde_json::Number;
 
+use super::beside::{Beside, Refusal, plainly};
 use super::error::Complaint;
 use super::node::{Kind, Member, Node, Origin, excerpt, join};
 use super::source::Source;
-use super::suggest;
-use super::table::MOST_POINTS;
-
-/// Largest file that is read \[bytes\].
-const LARGEST: u64 = 16 * 1024 * 1024;
+use super::table::{self, MOST_POINTS};
 
 /// Where tables stand.
 const MAPS: [&str; 3] = ["tables", "drivers", "forces"];
-
-/// What is wrong with a file, and what would mend it.
-type Refusal = (String, Option<String>);
 
 /// A fault at a place of the model.
 struct Fault {
@@ -31,7 +22,7 @@ struct Fault {
 }
 
 /// Puts the points of all files that tables name into the model; what is wrong with files.
-pub(super) fn put_in(source: &mut Source, beside: &Path) -> Vec<Complaint> {
+pub(super) fn put_in(source: &mut Source, beside: &Beside) -> Vec<Complaint> {
     let mut faults = Vec::new();
     if let Kind::Object(members) = &mut source.root.kind {
         for map in MAPS {
@@ -46,7 +37,7 @@ pub(super) fn put_in(source: &mut Source, beside: &Path) -> Vec<Complaint> {
         .collect()
 }
 
-fn visit(node: &mut Node, path: &str, beside: &Path, faults: &mut Vec<Fault>) {
+fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<Fault>) {
     match &mut node.kind {
         Kind::Array(items) => {
             // points are the longest lists, and have no tables inside
@@ -83,17 +74,17 @@ fn visit(node: &mut Node, path: &str, beside: &Path, faults: &mut Vec<Fault>) {
 }
 
 /// Puts the points of a file in the place of its name.
-fn replace(node: &mut Node, name: &str, origin: Origin, beside: &Path) -> Result<(), Refusal> {
+fn replace(node: &mut Node, name: &str, origin: Origin, beside: &Beside) -> Result<(), Refusal> {
     let Kind::Object(members) = &mut node.kind else {
         return Ok(());
     };
     let columns = pair_of(members.get("columns").map(|member| &member.node));
     let written = pair_of(members.get("units").map(|member| &member.node));
-    let text = read(&beside.join(name))?;
+    let text = beside.read(name)?;
     let table = Table::of(&text, columns)?;
     let units = match (written, table.units) {
         (Some(units), _) => units.map(Some),
-        (None, units) => units,
+        (None, units) => known(units)?,
     };
     let is_motion = members.contains_key("type");
     let of = |kind: Kind| Node { kind, origin };
@@ -125,6 +116,22 @@ fn replace(node: &mut Node, name: &str, origin: Origin, beside: &Path) -> Result
     Ok(())
 }
 
+/// Units that a file names: one that is none is not told, as the rest of the file is not.
+fn known(units: [Option<String>; 2]) -> Result<[Option<String>; 2], Refusal> {
+    let is_bad =
+        |unit: &Option<String>| unit.as_ref().is_some_and(|unit| table::unit(unit).is_err());
+    match units.iter().position(is_bad) {
+        Some(place) => {
+            let which = ["first", "second"][place];
+            let hint = "say both with \"units\"".to_owned();
+            let message =
+                format!("the first line of the file has no known unit for the {which} column");
+            Err((message, Some(hint)))
+        }
+        None => Ok(units),
+    }
+}
+
 /// Two texts.
 fn pair_of(node: Option<&Node>) -> Option<[String; 2]> {
     let Kind::Array(items) = &node?.kind else {
@@ -134,35 +141,6 @@ fn pair_of(node: Option<&Node>) -> Option<[String; 2]> {
         return None;
     };
     Some([first.as_str()?.to_owned(), second.as_str()?.to_owned()])
-}
-
-fn plainly(message: impl Into<String>) -> Refusal {
-    (message.into(), None)
-}
-
-fn read(path: &Path) -> Result<String, Refusal> {
-    let refuse = |error: std::io::Error| match error.kind() {
-        std::io::ErrorKind::NotFound => {
-            let looked = format!("looked for at {}", path.display());
-            ("there is no such file".to_owned(), Some(looked))
-        }
-        _ => plainly(format!("the file cannot be read: {error}")),
-    };
-    // devices and pipes may have no end
-    if !std::fs::metadata(path).map_err(refuse)?.is_file() {
-        return Err(plainly("this is no file"));
-    }
-    let file = std::fs::File::open(path).map_err(refuse)?;
-    let mut bytes = Vec::new();
-    file.take(LARGEST + 1)
-        .read_to_end(&mut bytes)
-        .map_err(refuse)?;
-    if u64::try_from(bytes.len()).unwrap_or(u64::MAX) > LARGEST {
-        let most = LARGEST >> 20;
-        return Err(plainly(format!("a table's file has at most {most} MB")));
-    }
-    let text = String::from_utf8(bytes).map_err(|_| plainly("the file is not UTF-8 text"))?;
-    Ok(text.trim_start_matches('\u{feff}').to_owned())
 }
 
 /// What a file holds.
@@ -216,8 +194,8 @@ impl Table {
                     return Err(plainly(message));
                 };
                 number(cell).ok_or_else(|| {
-                    let found = excerpt(cell.trim());
-                    let message = format!("line {line}: {found:?} where a number is wanted");
+                    let column = index + 1;
+                    let message = format!("line {line}, column {column}: this is no number");
                     let hint = cell
                         .contains(',')
                         .then(|| "a decimal point is a point".to_owned());
@@ -225,10 +203,9 @@ impl Table {
                 })
             };
             let point = [cell(x)?, cell(y)?];
-            if let Some(before) = points.last().filter(|before| point[0] <= before[0]) {
-                let (now, before) = (point[0], before[0]);
-                let message = format!("line {line}: {now} is not beyond the {before} before it");
-                let hint = "the first column of a table increases";
+            if points.last().is_some_and(|before| point[0] <= before[0]) {
+                let message = format!("line {line}: its place is not beyond the one before it");
+                let hint = "the places of a table increase";
                 return Err((message, Some(hint.to_owned())));
             }
             points.push(point);
@@ -274,11 +251,7 @@ impl Head {
 fn find(head: &[Head], name: &str) -> Result<usize, Refusal> {
     let is_it = |head: &Head| head.whole == name.trim() || head.name == name.trim();
     head.iter().position(is_it).ok_or_else(|| {
-        let names = || head.iter().map(|head| &head.name);
-        let hint = match suggest::nearest(name, names().map(String::as_str)) {
-            Some(near) => format!("did you mean {near:?}?"),
-            None => format!("its columns: {}", suggest::list(names())),
-        };
+        let hint = format!("its first line names {} columns", head.len());
         (format!("the file has no column {name:?}"), Some(hint))
     })
 }

@@ -5,7 +5,8 @@
 
 pub mod accuracy;
 pub mod analysis;
-pub mod body;
+pub mod beside;
+mod body;
 pub mod bundled;
 #[doc(hidden)]
 pub mod bushing;
@@ -62,6 +63,8 @@ pub use accuracy::{Accuracy, AccuracyOutput, At, Levels, Measured, Pins};
 pub use analysis::{
     Accelerations, Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission,
 };
+#[doc(hidden)]
+pub use beside::Beside;
 pub use body::{Body, Initial, Pose};
 #[doc(hidden)]
 pub use bushing::{Bushing, PerAxis};
@@ -89,9 +92,9 @@ pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
 #[doc(hidden)]
 pub use joint::{Latch, OneWay, Stops, Strands, Timed};
-#[doc(hidden)]
-pub use load::load_beside;
 pub use load::{Loaded, load, load_file};
+#[doc(hidden)]
+pub use load::{load_beside, read_file};
 pub use motion::Motion;
 #[doc(hidden)]
 pub use motion::{Interpolation, Paced, Rise, RiseLaw, Segment};

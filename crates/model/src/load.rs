@@ -1,9 +1,11 @@
 //! From the text of a file to a checked model.
 
 use std::fs::File;
+use std::io;
 use std::io::Read;
 use std::path::Path;
 
+use super::beside::Beside;
 use super::expression::Parameter;
 use super::file;
 use super::gate::{self, Checked, Holes};
@@ -43,7 +45,18 @@ pub struct Loaded {
 /// All faults of the file, in the order of the lines.
 pub fn load_file(path: &Path, sets: &[String]) -> Result<Loaded, Complaints> {
     let bytes = read(path).map_err(|complaint| vec![complaint])?;
-    load_beside(&bytes, sets, path)
+    load_beside(&bytes, sets, &Beside::of(path))
+}
+
+/// The bytes of a model's file; one more than [`load_beside`] takes where it has no end.
+///
+/// # Errors
+/// Those of the system.
+pub fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let file = File::open(path)?;
+    file.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
@@ -60,11 +73,7 @@ fn read(path: &Path) -> Result<Vec<u8>, Complaint> {
         return Err(too_large(metadata.len()).found(path.display().to_string()));
     }
     // a device or pipe does not tell its length
-    let mut bytes = Vec::new();
-    file.take(LARGEST + 1)
-        .read_to_end(&mut bytes)
-        .map_err(refuse)?;
-    Ok(bytes)
+    read_file(path).map_err(refuse)
 }
 
 fn fault(path: &Path, message: &str) -> Complaint {
@@ -94,14 +103,14 @@ fn too_large(length: u64) -> Complaint {
 /// assert_eq!(loaded.model.bodies["bar"].points["A"], [0.005, 0.0]);
 /// ```
 pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Complaints> {
-    load_beside(text, sets, Path::new(""))
+    load_beside(text, sets, &Beside::default())
 }
 
-/// The same of a text from this file, beside which its tables are.
+/// The same of a text with files beside it.
 ///
 /// # Errors
 /// As [`load`].
-pub fn load_beside(text: &[u8], sets: &[String], path: &Path) -> Result<Loaded, Complaints> {
+pub fn load_beside(text: &[u8], sets: &[String], beside: &Beside) -> Result<Loaded, Complaints> {
     let text = decode(text).map_err(|complaint| vec![complaint])?;
     let mut source = Source::new(text, sets);
     let mut complaints = Vec::new();
@@ -134,7 +143,7 @@ pub fn load_beside(text: &[u8], sets: &[String], path: &Path) -> Result<Loaded, 
 
     // what --set says, then all of it against the schema; of another format nothing else can be said
     set::apply(&mut source, &mut complaints);
-    let unread = file::put_in(&mut source, path.parent().unwrap_or(Path::new("")));
+    let unread = file::put_in(&mut source, beside);
     if !unread.is_empty() {
         complaints.extend(unread);
         return Err(sorted(complaints, uncounted).into());

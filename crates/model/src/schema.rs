@@ -214,6 +214,10 @@ fn bounded(keys: &mut Keys, bound: Bound, most_first: bool) {
             };
             keys.extend(pair.map(|(key, value)| (key.to_owned(), value)));
         }
+        Bound::Within(limit, most) => {
+            keys.insert("exclusiveMinimum".into(), number(limit));
+            keys.insert("maximum".into(), number(most));
+        }
         Bound::NotZero => {
             keys.insert("not".into(), json!({ "const": 0 }));
         }

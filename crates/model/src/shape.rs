@@ -14,6 +14,8 @@ pub enum Bound {
     Above(f64),
     /// From the first to the second, both included.
     Between(f64, f64),
+    /// Greater ones than the first, up to the second.
+    Within(f64, f64),
     /// All but zero.
     NotZero,
 }
@@ -29,15 +31,18 @@ impl Bound {
             _ if !number.is_finite() => Some("a finite number is expected".to_owned()),
             Bound::AtLeast(bound) if number < bound => Some(least(bound)),
             Bound::Between(bound, _) if number < bound => Some(least(bound)),
-            Bound::Between(_, most) if number > most => {
+            Bound::Between(_, most) | Bound::Within(_, most) if number > most => {
                 Some(format!("must not be greater than {most}"))
             }
-            Bound::Above(bound) if number <= bound => Some(format!("must be greater than {bound}")),
+            Bound::Above(bound) | Bound::Within(bound, _) if number <= bound => {
+                Some(format!("must be greater than {bound}"))
+            }
             Bound::NotZero if number == 0.0 => Some("must not be zero".to_owned()),
             Bound::Any
             | Bound::AtLeast(_)
             | Bound::Above(_)
             | Bound::Between(..)
+            | Bound::Within(..)
             | Bound::NotZero => None,
         }
     }

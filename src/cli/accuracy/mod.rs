@@ -6,18 +6,18 @@ mod levels;
 mod page;
 mod text;
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 
-use super::exit::{BadInput, Exit};
+use super::exit::{Exit, Failure};
 use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::replaced;
 use super::streams::{complain, print, print_with};
+use super::threads::threads;
 use linkdyn_engine::analysis::Control;
 use linkdyn_engine::analysis::accuracy::{Accuracy, Levels, Parameters, Refusal, Scope, accuracy};
 use linkdyn_model::{Checked, Parameter};
@@ -71,7 +71,7 @@ const HELP: &str = "  linkdyn accuracy lock
 What the levels mean: linkdyn docs theory. What the files hold: linkdyn docs results.";
 
 /// Asks, writes, tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let opened = options.model.open()?;
     let directory = options
         .directory
@@ -83,10 +83,11 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         ..Control::default()
     };
     let line = Line::start(Instant::now(), &opened.name, || None);
+    let threads = threads(options.threads);
     let scope = Scope {
         outputs: &options.outputs,
         levels: options.levels.map(Into::into),
-        threads: options.threads.and_then(NonZeroUsize::new),
+        threads: Some(threads),
     };
     let found = answer(&opened, scope, &control);
     drop(line);
@@ -97,8 +98,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     let mut written = Vec::new();
     if let Some(directory) = directory {
         replaced::tell(directory.path(), "accuracy", "replaced");
-        let threads = threads(&scope).map_or(1, NonZeroUsize::get);
-        written = files::write(&directory, &opened, &found, threads)?;
+        written = files::write(&directory, &opened, &found, threads.get())?;
     }
     if options.json {
         print_with(|out| json::write(&opened, &found, out))?;
@@ -109,7 +109,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
 }
 
 /// Why there is no answer.
-pub fn refuse(opened: &Opened, refusal: Refusal) -> Result<Exit, BadInput> {
+pub fn refuse(opened: &Opened, refusal: Refusal) -> Result<Exit, Failure> {
     match refusal {
         Refusal::Input(complaints) => Err(opened.bad_input(complaints)),
         Refusal::Failed(message) => {
@@ -161,15 +161,5 @@ pub fn answer_with(
         enclosed: &|| dependence.within(&limits),
         with: &with,
     };
-    let scope = Scope {
-        threads: threads(&scope),
-        ..scope
-    };
     accuracy(&loaded.model, &parameters, scope, control)
-}
-
-/// As many as are asked for, or one for each processor.
-fn threads(scope: &Scope) -> Option<NonZeroUsize> {
-    let all = || std::thread::available_parallelism().ok();
-    scope.threads.or_else(all)
 }

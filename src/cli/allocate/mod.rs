@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::accuracy::{answer, answer_with, refuse};
-use super::exit::{BadInput, Exit};
+use super::exit::{Exit, Failure};
 use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::streams::{complain, print};
@@ -86,7 +86,7 @@ impl Options {
 }
 
 /// Chooses, checks, tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let opened = options.model.open()?;
     let control = Control {
         interrupted: interrupt::watch(),
@@ -165,7 +165,7 @@ fn choose<'a>(
     opened: &'a Opened,
     first: &Accuracy,
     control: &Control,
-) -> Result<Result<Found<'a>, String>, BadInput> {
+) -> Result<Result<Found<'a>, String>, Failure> {
     let all = costly(opened, first).map_err(|complaint| opened.bad_input(complaint.into()))?;
     let sum = if options.rss {
         Sum::Squares

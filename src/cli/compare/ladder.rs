@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use crate::cli::exit::{BadInput, Exit};
+use crate::cli::exit::{Exit, Failure};
 use crate::cli::interrupt;
 use crate::cli::open::ModelOptions;
 use crate::cli::progress::Line;
@@ -27,7 +27,7 @@ pub fn run(
     (joints, patterns): (&[String], &[String]),
     model: &str,
     directory: Option<&Directory>,
-) -> Result<Result<Outcome, String>, BadInput> {
+) -> Result<Result<Outcome, String>, Failure> {
     let started = Instant::now();
     let sets: Vec<String> = joints
         .iter()
@@ -115,7 +115,9 @@ pub fn worse(a: Exit, b: Exit) -> Exit {
         Exit::Fault => 1,
         Exit::BadInput => 2,
         Exit::Stopped => 3,
-        Exit::Interrupted => 4,
+        Exit::Unwritten => 4,
+        Exit::Broken => 5,
+        Exit::Interrupted => 6,
     };
     if rank(b) > rank(a) { b } else { a }
 }

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::streams::{complain, print};
@@ -56,7 +56,7 @@ joint's force.\n\nExit status: that of the run that went worst: 3 where one stop
 What each model can and can't show: linkdyn docs theory.";
 
 /// Runs all, writes, tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let opened = options.model.open()?;
     let joints = joints(&opened, &options.joints)?;
     let models = models(&options.models)?;
@@ -94,7 +94,7 @@ fn run_all(
     joints: &[String],
     models: &[&'static str],
     directory: Option<&Directory>,
-) -> Result<(Vec<Rung>, Exit), BadInput> {
+) -> Result<(Vec<Rung>, Exit), Failure> {
     let wanted = !options.models.is_empty();
     let mut rungs = Vec::new();
     let mut exit = Exit::Done;
@@ -139,7 +139,7 @@ fn run_all(
     Ok((rungs, exit))
 }
 
-fn open_output(path: &Path) -> Result<Directory, BadInput> {
+fn open_output(path: &Path) -> Result<Directory, Failure> {
     let directory = Directory::open(path)?;
     directory.expect_free(TABLE)?;
     directory.expect_free(SUMMARY)?;

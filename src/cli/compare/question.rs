@@ -1,6 +1,6 @@
 //! Which joints and which clearance models are compared.
 
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use crate::cli::near::nearest;
 use crate::cli::open::Opened;
 use linkdyn_model::JointKind;
@@ -18,7 +18,7 @@ const LADDER: [&str; 5] = [
 const ALL: &str = "all";
 
 /// The joints of these names, each with a clearance.
-pub fn joints(opened: &Opened, names: &[String]) -> Result<Vec<String>, BadInput> {
+pub fn joints(opened: &Opened, names: &[String]) -> Result<Vec<String>, Failure> {
     let known = &opened.loaded.model.joints;
     let has_clearance = |kind: &JointKind| matches!(kind, JointKind::Revolute { clearance, .. } if clearance.is_some());
     let mut found: Vec<String> = Vec::new();
@@ -87,7 +87,7 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
 }
 
 /// The models of these names, each once, or the whole ladder.
-pub fn models(names: &[String]) -> Result<Vec<&'static str>, BadInput> {
+pub fn models(names: &[String]) -> Result<Vec<&'static str>, Failure> {
     if names.is_empty() {
         return Ok(LADDER.to_vec());
     }
@@ -128,10 +128,7 @@ mod tests {
             models(&["contact", "ideal", "contact"]),
             Ok(vec!["contact", "ideal"])
         );
-        let said = models(&["contacts"]).expect_err("unknown");
-        assert!(
-            said.0[0].ends_with("(did you mean \"contact\"?)"),
-            "{said:?}"
-        );
+        let (_, said) = models(&["contacts"]).expect_err("unknown").parts();
+        assert!(said[0].ends_with("(did you mean \"contact\"?)"), "{said:?}");
     }
 }

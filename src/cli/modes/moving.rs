@@ -4,16 +4,15 @@ use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use super::{DIGITS, about};
-use crate::cli::exit::BadInput;
+use crate::cli::exit::Failure;
 use crate::cli::open::Opened;
 use crate::cli::page::number;
-use crate::cli::streams::complain;
 use linkdyn_engine::analysis::{Linearised, Mode};
 use linkdyn_output::Directory;
 use linkdyn_picture::poses::Pose;
 use linkdyn_picture::swing::{Course, SECONDS, Swing, page};
 
-/// Writes the page; none where there are no modes, or nothing that can be drawn, which is told.
+/// Writes the page; none where there are no modes, or nothing that can be drawn, of which a warning says why.
 ///
 /// # Errors
 /// When it can't be written.
@@ -21,8 +20,8 @@ pub fn write(
     directory: &Directory,
     file: &str,
     (opened, pose): (&Opened, bool),
-    found: &Linearised,
-) -> Result<Option<PathBuf>, BadInput> {
+    found: &mut Linearised,
+) -> Result<Option<PathBuf>, Failure> {
     if found.modes.is_empty() {
         directory.remove(file)?;
         return Ok(None);
@@ -43,7 +42,9 @@ pub fn write(
     match page(&title, &facts, (&shape, &rest), &swings) {
         Ok((html, _)) => Ok(Some(directory.write(file, html.as_bytes())?)),
         Err(fault) => {
-            complain(&format!("{file}: {fault}"));
+            found
+                .warnings
+                .push(format!("{file} is not written: {fault}"));
             directory.remove(file)?;
             Ok(None)
         }

@@ -1,7 +1,7 @@
 //! What the options ask for, put into the model's `optimise`, so that it is checked where the file is.
 
 use super::Options;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use crate::cli::open::{ModelOptions, Opened, bad_input};
 use linkdyn_model::error::{Complaint, Complaints};
 use serde_json::{Value, json};
@@ -14,7 +14,7 @@ struct Put {
     labels: Vec<(String, String)>,
 }
 
-fn bad(text: impl Into<String>) -> BadInput {
+fn bad(text: impl Into<String>) -> Failure {
     BadInput(vec![text.into()])
 }
 
@@ -22,7 +22,7 @@ fn bad(text: impl Into<String>) -> BadInput {
 ///
 /// # Errors
 /// When there is no such model, or it or an option has faults.
-pub fn open(model: &ModelOptions, options: &Options) -> Result<(Opened, Vec<String>), BadInput> {
+pub fn open(model: &ModelOptions, options: &Options) -> Result<(Opened, Vec<String>), Failure> {
     let written = written(model)?;
     let puts = puts(options, &written)?;
     complete(options, &written)?;
@@ -40,7 +40,7 @@ const NO_DESIGN: &str = "nothing may change: say --vary \"parameters.r=10 mm:60 
 const NO_AIM: &str = "nothing is looked for: say --goal \"stroke = 80 mm\", --minimise EXPRESSION or --maximise EXPRESSION, or \"optimise\" in the model";
 
 /// What the file has under `optimise`; nothing where it can't be read, which is said later.
-fn written(model: &ModelOptions) -> Result<Value, BadInput> {
+fn written(model: &ModelOptions) -> Result<Value, Failure> {
     let file: Value = serde_json::from_slice(&model.bytes()?).unwrap_or_default();
     let mut written = file["optimise"].clone();
     // What is set is as good as written.
@@ -59,7 +59,7 @@ fn written(model: &ModelOptions) -> Result<Value, BadInput> {
 }
 
 /// There is something that may change, and something to look for.
-fn complete(options: &Options, written: &Value) -> Result<(), BadInput> {
+fn complete(options: &Options, written: &Value) -> Result<(), Failure> {
     let has = |key: &str| !written[key].is_null();
     if !has("design") && options.vary.is_empty() {
         return Err(bad(NO_DESIGN));
@@ -72,7 +72,7 @@ fn complete(options: &Options, written: &Value) -> Result<(), BadInput> {
     Ok(())
 }
 
-fn puts(options: &Options, written: &Value) -> Result<Vec<Put>, BadInput> {
+fn puts(options: &Options, written: &Value) -> Result<Vec<Put>, Failure> {
     let mut puts = Vec::new();
     for text in &options.vary {
         puts.push(vary(text)?);
@@ -123,7 +123,7 @@ fn puts(options: &Options, written: &Value) -> Result<Vec<Put>, BadInput> {
 }
 
 /// Constraints of the file, and those of options behind them.
-fn constraints(options: &Options, written: &Value) -> Result<Option<Put>, BadInput> {
+fn constraints(options: &Options, written: &Value) -> Result<Option<Put>, Failure> {
     let mut all = written["constraints"]
         .as_array()
         .cloned()
@@ -150,7 +150,7 @@ fn constraints(options: &Options, written: &Value) -> Result<Option<Put>, BadInp
 }
 
 /// `parameters.r=10 mm:60 mm`, or `parameters.r` alone.
-fn vary(text: &str) -> Result<Put, BadInput> {
+fn vary(text: &str) -> Result<Put, Failure> {
     let (path, range) = match text.split_once('=') {
         Some((path, range)) => (path.trim(), Some(range)),
         None => (text.trim(), None),

@@ -5,6 +5,7 @@
 //! | `asked`    | options, put into the model's `optimise`                              |
 //! | `question` | what is looked for                                                    |
 //! | `variants` | what a variant gives: the one place where the search meets the engine |
+//! | `guarded`  | variants among which one with a fault of linkdyn has no value         |
 //! | `path`     | the model whose motion gives a path, and its nodes                    |
 //! | `timing`   | the analysis that gives a path                                        |
 //! | `problem`  | a variant as the search sees it                                       |
@@ -15,6 +16,7 @@
 //! | `words`    | what a model looks for, for `check`                                   |
 
 mod asked;
+mod guarded;
 mod path;
 mod problem;
 mod question;
@@ -28,7 +30,7 @@ mod words;
 
 pub use words::rows;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
@@ -36,11 +38,13 @@ use std::time::Instant;
 use clap::Args;
 use serde_json::{Value, json};
 
-use super::exit::{BadInput, Exit};
+use super::exit::{Exit, Failure};
 use super::interrupt;
 use super::open::{ModelOptions, Opened};
 use super::progress::Line;
 use super::streams::{complain, print};
+use super::threads;
+use guarded::Guarded;
 use linkdyn_model::Unit;
 use linkdyn_output::{Directory, replace};
 use question::{Aim, Question, Variable};
@@ -103,7 +107,7 @@ const HELP: &str = "  linkdyn optimise mine.json --vary parameters.crank --goal 
 A curve is asked for in the model. How it searches, and what the files hold: linkdyn docs optimise.";
 
 /// Looks, tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let (plain, sets) = asked::open(&options.model, options)?;
     let (question, opened) = Question::new(&options.model, &sets, &plain)?;
     let timing = Timing::new(&options.model, &sets, &question, &opened)?;
@@ -117,7 +121,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
     )?;
     let mut search = Search {
         question: &question,
-        variants: &runs,
+        variants: &Guarded(&runs),
         timing: timing.as_ref(),
         scales: Vec::new(),
         keep: options.directory.is_some(),
@@ -127,9 +131,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         .as_deref()
         .map(Directory::open)
         .transpose()?;
-    let pool = rayon::ThreadPoolBuilder::new();
-    let pool = pool.num_threads(options.threads.unwrap_or(0)).build();
-    let pool = pool.map_err(|error| BadInput(vec![format!("no threads: {error}")]))?;
+    let pool = threads::pool(options.threads)?;
     let as_it_is = pool.install(|| search.as_it_is())?;
     let done = Arc::new(AtomicU64::new(0));
     let line = progress(&opened, &question, &done);
@@ -208,8 +210,8 @@ fn write(
     opened: &Opened,
     variables: &[Variable],
     x: &[f64],
-    path: &PathBuf,
-) -> Result<(), BadInput> {
+    path: &Path,
+) -> Result<(), Failure> {
     let all = variables.iter().zip(x);
     let sets: Vec<String> = all
         .map(|(own, x)| format!("parameters.{}={}", own.parameter.name, said(own, *x)))

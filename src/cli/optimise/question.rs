@@ -1,7 +1,7 @@
 //! What is looked for, as the search takes it.
 
 use super::variants::OWN;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use crate::cli::open::{ModelOptions, Opened};
 use linkdyn_engine::analysis::Prepared;
 use linkdyn_model::optimise::{Curve, Optimise, Range, Relation};
@@ -93,7 +93,7 @@ impl Question {
         model: &ModelOptions,
         sets: &[String],
         opened: &Opened,
-    ) -> Result<(Question, Opened), BadInput> {
+    ) -> Result<(Question, Opened), Failure> {
         let default = Optimise::default();
         let asked = opened.loaded.model.optimise.as_ref().unwrap_or(&default);
         let mut expressions: Vec<&str> = Vec::new();
@@ -167,7 +167,7 @@ impl Question {
     }
 
     /// What belongs together but is known only now.
-    fn check(&self) -> Result<(), BadInput> {
+    fn check(&self) -> Result<(), Failure> {
         let follows = |own: &&Variable| own.parameter.text.trim_start().starts_with('=');
         if self.robust.is_some()
             && let Some(variable) = self.variables.iter().find(follows)
@@ -205,7 +205,7 @@ fn variables(asked: &Optimise, opened: &Opened) -> Vec<Variable> {
 }
 
 /// What scatters by its tolerance.
-fn robust(sigmas: f64, opened: &Opened) -> Result<Robust, BadInput> {
+fn robust(sigmas: f64, opened: &Opened) -> Result<Robust, Failure> {
     let mut scatter = Vec::new();
     for parameter in &opened.loaded.parameters {
         let Some(by) = &parameter.tolerance else {

@@ -5,7 +5,7 @@ use super::question::{Aim, Question};
 use super::slopes::{Derivatives, Last, Searched};
 use super::timing::Timing;
 use super::variants::{Call, Detail, Found, Variants};
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use linkdyn_optimise::constrained::{self, Optimum};
 use linkdyn_optimise::least_squares::{self, Fitted, least_squares};
 use linkdyn_optimise::seek::{Seek, Side, Sought, seek};
@@ -62,7 +62,7 @@ impl Search<'_> {
     ///
     /// # Errors
     /// More parameters than the starts can be spread over.
-    pub fn run(&self, done: &AtomicU64) -> Result<Vec<Ended>, BadInput> {
+    pub fn run(&self, done: &AtomicU64) -> Result<Vec<Ended>, Failure> {
         let count = match self.question.aim {
             Aim::Goal => 1,
             Aim::Goals | Aim::Objective | Aim::Curve | Aim::ConstrainedCurve => {
@@ -81,7 +81,7 @@ impl Search<'_> {
     ///
     /// # Errors
     /// More parameters than the starts can be spread over.
-    pub fn as_it_is(&mut self) -> Result<Found<Measured>, BadInput> {
+    pub fn as_it_is(&mut self) -> Result<Found<Measured>, Failure> {
         let all = self.question.variables.iter();
         let x: Vec<f64> = all.map(|own| own.parameter.value).collect();
         self.scales = vec![1.0; self.question.constraints.len()];
@@ -128,7 +128,7 @@ impl Search<'_> {
         }
     }
 
-    fn start(&self, number: u64) -> Result<Ended, BadInput> {
+    fn start(&self, number: u64) -> Result<Ended, Failure> {
         match self.question.aim {
             Aim::Goal => Ok(self.goal()),
             Aim::Goals | Aim::Curve => self.fit(number),
@@ -194,7 +194,7 @@ impl Search<'_> {
         )
     }
 
-    fn fit(&self, number: u64) -> Result<Ended, BadInput> {
+    fn fit(&self, number: u64) -> Result<Ended, Failure> {
         let bounds = self.bounds();
         let given = self.given(number, &bounds);
         let is_curve = self.question.curve.is_some();
@@ -246,7 +246,7 @@ impl Search<'_> {
         ))
     }
 
-    fn optimise(&self, number: u64) -> Result<Ended, BadInput> {
+    fn optimise(&self, number: u64) -> Result<Ended, Failure> {
         let bounds = self.bounds();
         let given = self.given(number, &bounds);
         let kinds = self.question.kinds();
@@ -364,6 +364,6 @@ fn around(value: f64) -> [f64; 2] {
     }
 }
 
-fn too_many(fault: linkdyn_study::design::DesignFault) -> BadInput {
+fn too_many(fault: linkdyn_study::design::DesignFault) -> Failure {
     BadInput(vec![format!("optimise.design: {fault}")])
 }

@@ -1,7 +1,7 @@
 //! The analysis that gives the path of a point: the model's own motion, or one in which the driver moves evenly.
 
 use super::question::Question;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use crate::cli::open::{ModelOptions, Opened};
 use linkdyn_engine::analysis::{Control, Prepared};
 use linkdyn_model::{DriverKind, PointRef};
@@ -34,7 +34,7 @@ impl Timing {
         sets: &[String],
         question: &Question,
         opened: &Opened,
-    ) -> Result<Option<Self>, BadInput> {
+    ) -> Result<Option<Self>, Failure> {
         let Some((curve, at)) = question
             .curve
             .as_ref()
@@ -84,7 +84,7 @@ fn start(
     sets: &[String],
     opened: &Opened,
     name: &str,
-) -> Result<f64, BadInput> {
+) -> Result<f64, Failure> {
     let assembly = [sets, &["analysis={\"type\":\"assembly\"}".to_owned()]].concat();
     let with = model.open_with(&without_responses(&assembly, opened))?;
     let with = with.map_err(|said| opened.bad_input(said))?;

@@ -5,6 +5,7 @@ use super::question::{Aim, Question};
 use super::search::Ended;
 use super::slopes::Derivatives;
 use linkdyn_model::optimise::Relation;
+use linkdyn_output::csv::push_field;
 use serde_json::{Value, json};
 
 /// A violation below this part of a constraint's sides keeps it.
@@ -363,10 +364,9 @@ fn heading(name: &str, unit: &str) -> String {
     }
 }
 
-/// A cell; quoted where it needs that.
+/// A cell of text.
 fn field(text: &str) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    }
+    let mut cell = Vec::new();
+    push_field(&mut cell, text);
+    String::from_utf8_lossy(&cell).into_owned()
 }

@@ -2,7 +2,7 @@
 
 use super::path::{Path, nodes};
 use super::question::Question;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::Failure;
 use crate::cli::open::{ModelOptions, Opened};
 use linkdyn_engine::analysis::{Control, Family, Member, Outcome};
 use linkdyn_model::error::Complaints;
@@ -112,7 +112,7 @@ impl Runs {
         opened: &Opened,
         timing: Option<&super::timing::Timing>,
         interrupted: Arc<AtomicBool>,
-    ) -> Result<Self, BadInput> {
+    ) -> Result<Self, Failure> {
         let variables = question.variables.iter().map(|own| &own.parameter);
         let names: Vec<&str> = variables.clone().map(|own| own.name.as_str()).collect();
         let refuse = |complaints| opened.bad_input(complaints);

@@ -4,7 +4,7 @@ use super::marks::event_marks;
 use super::options::Options;
 use super::panels::{Found, panels};
 use super::units::Units;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use crate::cli::results::Results;
 use linkdyn_output::read::ReadColumn;
 use linkdyn_picture::{Axis, Chart, Mark};
@@ -13,7 +13,7 @@ use linkdyn_picture::{Axis, Chart, Mark};
 const MOST_VALUES: usize = 50_000_000;
 
 /// The figure, and units that were asked for in vain.
-pub fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), BadInput> {
+pub fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Failure> {
     let mut units = Units::new(&options.units, options.x_unit.as_deref())?;
     let (found, [x_name, x_unit]) = curves(options, runs, &mut units)?;
     let page = &options.page;
@@ -44,7 +44,7 @@ fn curves(
     options: &Options,
     runs: &[Results],
     units: &mut Units,
-) -> Result<(Vec<Found>, [String; 2]), BadInput> {
+) -> Result<(Vec<Found>, [String; 2]), Failure> {
     let names = names(options, runs)?;
     let rows = runs.iter().map(|run| run.table.len()).sum::<usize>();
     let values = rows.saturating_mul(names.len());
@@ -100,7 +100,7 @@ fn marks(options: &Options, runs: &[Results], x_name: &str, x_unit: &str) -> Vec
 }
 
 /// Names of the columns to draw, in order, each once.
-fn names(options: &Options, runs: &[Results]) -> Result<Vec<String>, BadInput> {
+fn names(options: &Options, runs: &[Results]) -> Result<Vec<String>, Failure> {
     let mut names: Vec<String> = Vec::new();
     for wanted in &options.y {
         let is_pattern = wanted.contains(['*', '?']);

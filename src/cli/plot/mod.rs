@@ -8,7 +8,7 @@ mod panels;
 mod study;
 mod units;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::page::{Page, count, number};
 use super::results::{Results, extension, write_file};
 use super::streams::print;
@@ -17,7 +17,7 @@ use linkdyn_picture::{Chart, Mark, POINTS_PER_MM, raster, svg};
 pub use options::Options;
 
 /// Reads, draws, writes, tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let format = extension(&options.output);
     if !["svg", "png"].contains(&format.as_str()) {
         let file = options.output.display();
@@ -77,7 +77,7 @@ pub struct FilmCurves<'a> {
 ///
 /// # Errors
 /// When a column or a unit is unknown.
-pub fn film_chart(run: &Results, curves: &FilmCurves) -> Result<Chart, BadInput> {
+pub fn film_chart(run: &Results, curves: &FilmCurves) -> Result<Chart, Failure> {
     let options = Options {
         x: curves.x.to_string(),
         y: curves.y.to_vec(),

@@ -2,7 +2,7 @@
 
 use super::labels::{axis_name, run_labels};
 use super::options::Options;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use crate::cli::page::count;
 use crate::cli::results::Results;
 use linkdyn_output::Channel;
@@ -39,11 +39,7 @@ fn distinct<'f>(texts: impl Iterator<Item = &'f String>) -> Vec<&'f String> {
 ///
 /// # Errors
 /// When there are more labels, names or ranges than what they are for.
-pub fn panels(
-    options: &Options,
-    runs: &[Results],
-    found: &[Found],
-) -> Result<Vec<Panel>, BadInput> {
+pub fn panels(options: &Options, runs: &[Results], found: &[Found]) -> Result<Vec<Panel>, Failure> {
     let units = distinct(found.iter().map(|curve| &curve.unit));
     let columns = distinct(found.iter().map(|curve| &curve.name));
     check_labels(options, runs.len(), columns.len())?;
@@ -90,7 +86,7 @@ pub fn panels(
 }
 
 /// Refuses labels that are not one for each run, or each column of a single one.
-fn check_labels(options: &Options, runs: usize, columns: usize) -> Result<(), BadInput> {
+fn check_labels(options: &Options, runs: usize, columns: usize) -> Result<(), Failure> {
     let (wanted, what) = if runs > 1 {
         (runs, "RESULTS")
     } else {
@@ -106,7 +102,7 @@ fn check_labels(options: &Options, runs: usize, columns: usize) -> Result<(), Ba
 }
 
 /// Refuses names and ranges for which there is no panel.
-fn check_panels(options: &Options, panels: usize) -> Result<(), BadInput> {
+fn check_panels(options: &Options, panels: usize) -> Result<(), Failure> {
     let given = [
         (options.y_label.len(), "--y-label"),
         (options.y_range.len(), "--y-range"),

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::options::Options;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use crate::cli::page::number;
 use crate::cli::results::Results;
 use linkdyn_output::Table;
@@ -25,7 +25,7 @@ const SHARE: &str = "share of variants";
 ///
 /// # Errors
 /// A study of samples without `--histogram`, axes that are not clear, more curves than can be told apart.
-pub fn unfold(options: Options, runs: Vec<Results>) -> Result<(Options, Vec<Results>), BadInput> {
+pub fn unfold(options: Options, runs: Vec<Results>) -> Result<(Options, Vec<Results>), Failure> {
     if options.histogram {
         return histograms(options, &runs);
     }
@@ -79,7 +79,7 @@ fn grid(facts: &Value) -> Vec<&str> {
     inputs.filter_map(|input| input["name"].as_str()).collect()
 }
 
-fn refused(path: &Path, why: String) -> BadInput {
+fn refused(path: &Path, why: String) -> Failure {
     BadInput(vec![format!("{}: {why}", path.display())])
 }
 
@@ -88,7 +88,7 @@ fn curves(
     options: &mut Options,
     run: &Results,
     facts: &Value,
-) -> Result<Vec<(String, Results)>, BadInput> {
+) -> Result<Vec<(String, Results)>, Failure> {
     let varied = grid(facts);
     let is_grid = facts["method"] == "grid";
     if !is_grid {
@@ -164,7 +164,7 @@ fn picked(run: &Results, rows: &[usize]) -> Results {
 }
 
 /// How often columns have their values.
-fn histograms(mut options: Options, runs: &[Results]) -> Result<(Options, Vec<Results>), BadInput> {
+fn histograms(mut options: Options, runs: &[Results]) -> Result<(Options, Vec<Results>), Failure> {
     let [name] = &options.y[..] else {
         let why = "--histogram draws one column: give --y once, without * and ?";
         return Err(BadInput(vec![why.to_owned()]));

@@ -1,6 +1,6 @@
 //! Units of a figure: which column is drawn in which, and words for what is drawn.
 
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use linkdyn_model::Unit;
 use linkdyn_output::read::ReadColumn;
 use linkdyn_output::{
@@ -30,7 +30,7 @@ impl Units {
     ///
     /// # Errors
     /// When a text is no unit.
-    pub fn new(texts: &[String], x: Option<&str>) -> Result<Self, BadInput> {
+    pub fn new(texts: &[String], x: Option<&str>) -> Result<Self, Failure> {
         let read = |option: &str, text: &str| match Unit::parse(text) {
             Ok(unit) => Ok(Wanted {
                 text: text.trim().to_string(),
@@ -57,11 +57,7 @@ impl Units {
     ///
     /// # Errors
     /// When the column holds words, or its unit can't be changed into the one that was asked for.
-    pub fn x(
-        &mut self,
-        table: &Table,
-        column: &ReadColumn,
-    ) -> Result<(String, Vec<f64>), BadInput> {
+    pub fn x(&mut self, table: &Table, column: &ReadColumn) -> Result<(String, Vec<f64>), Failure> {
         let Some(wanted) = &mut self.x else {
             return self.y(table, column);
         };
@@ -80,11 +76,7 @@ impl Units {
     ///
     /// # Errors
     /// When the column holds words.
-    pub fn y(
-        &mut self,
-        table: &Table,
-        column: &ReadColumn,
-    ) -> Result<(String, Vec<f64>), BadInput> {
+    pub fn y(&mut self, table: &Table, column: &ReadColumn) -> Result<(String, Vec<f64>), Failure> {
         let values = table.values(column)?;
         if !self.met.contains(&column.unit) {
             self.met.push(column.unit.clone());

@@ -1,6 +1,6 @@
 //! What a study varies: axes of a grid from `--vary`, samples from the tolerances of parameters.
 
-use super::super::exit::BadInput;
+use super::super::exit::{BadInput, Failure};
 use super::super::near::did_you_mean;
 use super::super::open::Opened;
 use super::wanted::{Axis as Written, Wanted};
@@ -63,7 +63,7 @@ impl Asked {
     ///
     /// # Errors
     /// Unknown parameters, empty ranges, values of another dimension, nothing to vary.
-    pub fn new(wanted: &Wanted, opened: &Opened) -> Result<Self, BadInput> {
+    pub fn new(wanted: &Wanted, opened: &Opened) -> Result<Self, Failure> {
         let mut inputs = Vec::new();
         let mut axes = Vec::new();
         for own in &wanted.axes {
@@ -163,7 +163,7 @@ impl Asked {
 }
 
 /// The parameters that scatter, behind those that are varied, and how.
-fn scatter(opened: &Opened, inputs: &mut Vec<Input>) -> Result<Vec<Distribution>, BadInput> {
+fn scatter(opened: &Opened, inputs: &mut Vec<Input>) -> Result<Vec<Distribution>, Failure> {
     let varied = inputs.len();
     let mut distributions = Vec::new();
     for parameter in &opened.loaded.parameters {
@@ -188,12 +188,12 @@ fn scatter(opened: &Opened, inputs: &mut Vec<Input>) -> Result<Vec<Distribution>
     Ok(distributions)
 }
 
-fn bad(text: impl Into<String>) -> BadInput {
+fn bad(text: impl Into<String>) -> Failure {
     BadInput(vec![text.into()])
 }
 
 /// `parameters.r=40 mm:60 mm:21`, or `parameters.r=40 mm, 50 mm`.
-fn axis(own: &Written, opened: &Opened) -> Result<(Input, Axis), BadInput> {
+fn axis(own: &Written, opened: &Opened) -> Result<(Input, Axis), Failure> {
     let Written {
         label,
         name,
@@ -291,7 +291,7 @@ fn scattering(parameter: &Parameter) -> Option<&Tolerance> {
     (tolerance.lower != 0.0 || tolerance.upper != 0.0).then_some(tolerance)
 }
 
-fn scattered(parameter: &Parameter, by: &Tolerance) -> Result<(Input, Distribution), BadInput> {
+fn scattered(parameter: &Parameter, by: &Tolerance) -> Result<(Input, Distribution), Failure> {
     let (shape, word) = match by.distribution {
         Words::Normal { sigma } => (Shape::Normal { sigma }, "normal"),
         Words::Uniform => (Shape::Uniform, "uniform"),

@@ -4,6 +4,7 @@ mod asked;
 mod display;
 mod head;
 mod motions;
+mod options;
 mod report;
 mod respond;
 mod sample;
@@ -21,21 +22,23 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use clap::{Args, Subcommand};
 use serde_json::json;
 
-use super::exit::{BadInput, Exit};
+use super::exit::{BadInput, Exit, Failure};
 use super::interrupt;
-use super::open::{ModelOptions, Opened};
+use super::open::Opened;
 use super::progress::Line;
 use super::responses;
 use super::streams::{complain, print};
+use super::threads;
 use asked::Asked;
 use display::Display;
 use head::Head;
 use linkdyn_output::Directory;
-use linkdyn_study::chunks::{ChunkFault, Shard, Store};
+use linkdyn_study::chunks::{ChunkFault, Rows, Shard, Store};
 use motions::Again;
+use options::Merge;
+pub use options::Options;
 use report::Wish;
 use respond::family;
 use sample::Sample;
@@ -50,84 +53,8 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 const HEAD: &str = "study.json";
 const CHUNKS: &str = "chunks";
 
-#[derive(Debug, Args)]
-#[command(after_help = HELP, args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
-pub struct Options {
-    #[command(subcommand)]
-    merge: Option<Merge>,
-    #[command(flatten)]
-    model: Option<ModelOptions>,
-    /// Vary a parameter over a grid, as in "parameters.r=40 mm:60 mm:21" (from, to, count) or "parameters.r=40 mm, 50 mm"; several
-    /// multiply
-    #[arg(long, value_name = "PATH=VALUES")]
-    vary: Vec<String>,
-    /// Draw so many samples of all parameters that have a tolerance
-    #[arg(long, value_name = "N")]
-    samples: Option<u64>,
-    /// Take scrambled Sobol points instead of random ones
-    #[arg(long, requires = "samples", conflicts_with = "latin")]
-    sobol: bool,
-    /// Take a Latin hypercube instead of random points
-    #[arg(long, requires = "samples")]
-    latin: bool,
-    /// Take the rows that Sobol indices need, inputs + 2 for each sample
-    #[arg(long, requires = "samples")]
-    indices: bool,
-    /// Seed of the samples [default: 1]
-    #[arg(long, value_name = "SEED")]
-    seed: Option<u64>,
-    /// A number that comes out of each variant, as in "stroke = max(piston.x) - min(piston.x)", besides those of the model
-    #[arg(long = "response", value_name = "NAME = EXPRESSION")]
-    responses: Vec<String>,
-    /// Compute share I of N only, as in 2/7, or what Slurm's array task is to do: slurm
-    #[arg(long, value_name = "I/N", requires = "directory")]
-    shard: Option<String>,
-    /// Threads; by default one for each processor
-    #[arg(long, value_name = "N")]
-    threads: Option<usize>,
-    /// Print study.json instead of the summary for people
-    #[arg(long)]
-    json: bool,
-    /// Keep chunks of rows in this directory (made where missing), go on from those that are there, and write variants.csv,
-    /// study.json and report.html
-    #[arg(short = 'o', long = "output", value_name = "DIR")]
-    directory: Option<PathBuf>,
-    /// Write no report.html, and remove an older one from DIR
-    #[arg(long, requires = "directory")]
-    no_report: bool,
-    /// Write variants.parquet, too
-    #[arg(long, requires = "directory")]
-    parquet: bool,
-}
-
-#[derive(Debug, Subcommand)]
-enum Merge {
-    /// Join the chunks that shards have written into a directory
-    Merge {
-        /// The directory of the study
-        #[arg(value_name = "DIR")]
-        directory: PathBuf,
-        /// Print study.json instead of the summary for people
-        #[arg(long)]
-        json: bool,
-        /// Write no report.html, and remove an older one from DIR
-        #[arg(long)]
-        no_report: bool,
-        /// Write variants.parquet, too
-        #[arg(long)]
-        parquet: bool,
-    },
-}
-
-const HELP: &str = "  linkdyn study mine.json --vary \"parameters.r=40 mm:60 mm:21\" --response \"peak = max(abs(driver.motor.effort))\" -o out
-  linkdyn study mine.json --samples 100000 --sobol -o out
-  linkdyn study mine.json --samples 100000 -o out --shard 2/7
-  linkdyn study merge out
-
-What responses may say: linkdyn docs format. What the files hold: linkdyn docs studies.";
-
 /// Runs all variants, sums up, tells.
-pub fn execute(options: &Options) -> Result<Exit, BadInput> {
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
     if let Some(Merge::Merge {
         directory,
         json,
@@ -160,9 +87,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
         asked: &asked,
         interrupted: interrupt::watch(),
     };
-    let pool = rayon::ThreadPoolBuilder::new();
-    let pool = pool.num_threads(options.threads.unwrap_or(0)).build();
-    let pool = pool.map_err(|error| BadInput(vec![format!("no threads: {error}")]))?;
+    let pool = threads::pool(options.threads)?;
     let wish = Wish {
         is_wanted: !options.no_report,
         parquet: options.parquet,
@@ -189,7 +114,7 @@ pub fn execute(options: &Options) -> Result<Exit, BadInput> {
             return told_shard(options, &head);
         }
         complain(match options.directory {
-            Some(_) => "interrupted; the same command goes on from the chunks that are done",
+            Some(_) => "interrupted; the same command goes on from the variants that are done",
             None => "interrupted; with -o DIR a study goes on from what is done",
         });
         return Ok(Exit::Interrupted);
@@ -210,13 +135,15 @@ fn loose<'h>(
     head: &'h Head,
     variants: &Variants,
     done: &AtomicU64,
-) -> Result<Option<Totals<'h>>, BadInput> {
+) -> Result<Option<Totals<'h>>, Failure> {
     let plan = head.plan();
     let mut totals = Totals::new(head);
     for chunk in 0..plan.chunks() {
-        let Some(rows) = variants.rows(plan.range(chunk)) else {
+        let range = plan.range(chunk);
+        let mut rows = Rows::new(range.start, head.inputs.len(), head.responses.len());
+        if !variants.append(&mut rows, range.end, |_| Ok(()))? {
             return Ok(None);
-        };
+        }
         totals.take(&rows);
         done.fetch_add(rows.len() as u64, Ordering::Relaxed);
     }
@@ -232,7 +159,7 @@ fn kept<'h>(
     (variants, wish): (&Variants, Wish),
     shard: Shard,
     done: &AtomicU64,
-) -> Result<Summed<'h>, BadInput> {
+) -> Result<Summed<'h>, Failure> {
     let directory = Directory::open(path)?;
     begin(&directory, head, wish.display)?;
     let store = open_store(&directory, head)?;
@@ -243,9 +170,11 @@ fn kept<'h>(
     let ready: u64 = own.filter(|chunk| !to_do.contains(chunk)).map(size).sum();
     done.fetch_add(ready, Ordering::Relaxed);
     for chunk in to_do {
-        let Some(rows) = variants.rows(plan.range(chunk)) else {
+        let mut rows = store.kept(chunk);
+        let keep = |rows: &Rows| store.keep(chunk, rows).map_err(fault);
+        if !variants.append(&mut rows, plan.range(chunk).end, keep)? {
             return Ok(None);
-        };
+        }
         store.write(chunk, &rows).map_err(fault)?;
         done.fetch_add(rows.len() as u64, Ordering::Relaxed);
     }
@@ -255,13 +184,13 @@ fn kept<'h>(
     join(&directory, head, &store, wish).map(Some)
 }
 
-fn open_store(directory: &Directory, head: &Head) -> Result<Store, BadInput> {
+fn open_store(directory: &Directory, head: &Head) -> Result<Store, Failure> {
     let chunks = directory.path().join(CHUNKS);
     Store::open(&chunks, head.identity(), head.plan()).map_err(fault)
 }
 
 /// Says in the directory what the study is, or checks that it is this one.
-fn begin(directory: &Directory, head: &Head, display: &Display) -> Result<(), BadInput> {
+fn begin(directory: &Directory, head: &Head, display: &Display) -> Result<(), Failure> {
     let path = directory.path().join(HEAD);
     if path.exists() {
         let there = read_head(directory.path())?;
@@ -311,7 +240,7 @@ fn differences(there: &Head, here: &Head) -> String {
     }
 }
 
-fn read_head(directory: &Path) -> Result<Head, BadInput> {
+fn read_head(directory: &Path) -> Result<Head, Failure> {
     let path = directory.join(HEAD);
     let bad = |why: String| BadInput(vec![format!("{}: {why}", path.display())]);
     let text = fs::read(&path).map_err(|error| match error.kind() {
@@ -321,8 +250,19 @@ fn read_head(directory: &Path) -> Result<Head, BadInput> {
     serde_json::from_slice(&text).map_err(|error| bad(format!("it is no study: {error}")))
 }
 
-fn fault(fault: ChunkFault) -> BadInput {
-    BadInput(vec![fault.to_string()])
+fn fault(fault: ChunkFault) -> Failure {
+    match fault {
+        ChunkFault::Write { .. } | ChunkFault::Join(_) => Failure::Unwritten(fault.to_string()),
+        ChunkFault::Read { .. }
+        | ChunkFault::Foreign(_)
+        | ChunkFault::Length { .. }
+        | ChunkFault::Damaged(_)
+        | ChunkFault::Study { .. }
+        | ChunkFault::Engine { .. }
+        | ChunkFault::Rows { .. }
+        | ChunkFault::Columns { .. }
+        | ChunkFault::Incomplete { .. } => BadInput(vec![fault.to_string()]),
+    }
 }
 
 /// Sums up all chunks and writes what they come to.
@@ -331,7 +271,7 @@ fn join<'h>(
     head: &'h Head,
     store: &Store,
     wish: Wish,
-) -> Result<(Totals<'h>, Vec<PathBuf>), BadInput> {
+) -> Result<(Totals<'h>, Vec<PathBuf>), Failure> {
     let (mut totals, mut sample) = (Totals::new(head), Sample::new(head));
     store
         .join(|rows| {
@@ -358,7 +298,7 @@ fn document(head: &Head, totals: &Totals, display: &Display) -> String {
 }
 
 /// Joins what shards have left.
-fn merge(path: &Path, json: bool, [is_wanted, parquet]: [bool; 2]) -> Result<Exit, BadInput> {
+fn merge(path: &Path, json: bool, [is_wanted, parquet]: [bool; 2]) -> Result<Exit, Failure> {
     let head = read_head(path)?;
     if head.engine != VERSION {
         return Err(BadInput(vec![format!(
@@ -385,7 +325,7 @@ fn tell(
     (totals, display): (&Totals, &Display),
     written: &[PathBuf],
     json: bool,
-) -> Result<Exit, BadInput> {
+) -> Result<Exit, Failure> {
     print(&if json {
         document(head, totals, display)
     } else {

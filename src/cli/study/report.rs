@@ -8,7 +8,7 @@ use super::head::{Asked, Head};
 use super::motions::Again;
 use super::sample::Sample;
 use super::totals::Totals;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::Failure;
 use crate::cli::replaced;
 use linkdyn_output::Directory;
 use linkdyn_picture::StudyPage;
@@ -37,7 +37,7 @@ pub fn write(
     totals: &Totals,
     sample: Sample,
     wish: Wish,
-) -> Result<Option<PathBuf>, BadInput> {
+) -> Result<Option<PathBuf>, Failure> {
     let does = if wish.is_wanted {
         "replaced"
     } else {

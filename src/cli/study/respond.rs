@@ -1,6 +1,6 @@
 //! The responses of a study: those of the model, and those of the command, which are put into it.
 
-use super::super::exit::BadInput;
+use super::super::exit::{BadInput, Failure};
 use super::super::open::Opened;
 use super::asked::Asked as Inputs;
 use super::head::Asked;
@@ -11,7 +11,7 @@ use linkdyn_study::summary::Limits;
 ///
 /// # Errors
 /// A model without responses.
-pub fn wanted(opened: &Opened) -> Result<(), BadInput> {
+pub fn wanted(opened: &Opened) -> Result<(), Failure> {
     if opened.loaded.model.responses.is_empty() {
         return Err(BadInput(vec![format!(
             "{}: it has no responses, which a study asks for: add --response \"stroke = max(piston.x) - min(piston.x)\", or \"responses\" to the model",
@@ -25,7 +25,7 @@ pub fn wanted(opened: &Opened) -> Result<(), BadInput> {
 ///
 /// # Errors
 /// An analysis that can't be run, names that it does not have.
-pub fn family(opened: &Opened, inputs: &Inputs) -> Result<Family, BadInput> {
+pub fn family(opened: &Opened, inputs: &Inputs) -> Result<Family, Failure> {
     let family = Family::new(&opened.loaded, &inputs.parameters(), inputs.given());
     family.map_err(|complaints| opened.bad_input(complaints))
 }

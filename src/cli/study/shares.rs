@@ -2,17 +2,17 @@
 
 use super::Options;
 use super::head::Head;
-use crate::cli::exit::{BadInput, Exit};
+use crate::cli::exit::{BadInput, Exit, Failure};
 use crate::cli::streams::print;
 use linkdyn_study::chunks::Shard;
 
 /// `I/N`, or what Slurm says.
-pub fn shard(text: &str) -> Result<Shard, BadInput> {
+pub fn shard(text: &str) -> Result<Shard, Failure> {
     let bad = |why: String| BadInput(vec![format!("--shard {text}: {why}")]);
     if text != "slurm" {
         return text.parse().map_err(|fault| bad(format!("{fault}")));
     }
-    let number = |name: &str| -> Result<u64, BadInput> {
+    let number = |name: &str| -> Result<u64, Failure> {
         let value = std::env::var(name).map_err(|_| {
             bad(format!(
                 "{name} is not set: this is no task of a Slurm array"
@@ -32,7 +32,7 @@ pub fn shard(text: &str) -> Result<Shard, BadInput> {
 }
 
 /// What is said of a shard that is done.
-pub fn told_shard(options: &Options, head: &Head) -> Result<Exit, BadInput> {
+pub fn told_shard(options: &Options, head: &Head) -> Result<Exit, Failure> {
     let (shard, directory) = (&options.shard, &options.directory);
     if let (Some(shard), Some(directory)) = (shard, directory) {
         print(&format!(

@@ -1,6 +1,6 @@
 //! The rows of a study that is done: `variants.csv`, and `variants.parquet` where it is wanted.
 
-use super::super::exit::BadInput;
+use super::super::exit::Failure;
 use super::fault;
 use linkdyn_output::Directory;
 use linkdyn_study::chunks::{ChunkFault, Store};
@@ -16,7 +16,7 @@ pub fn write(
     directory: &Directory,
     store: &Store,
     by_columns: bool,
-) -> Result<Vec<PathBuf>, BadInput> {
+) -> Result<Vec<PathBuf>, Failure> {
     let mut written = vec![table(directory, TABLE, |out| store.write_csv(out))?];
     match by_columns {
         true => written.push(table(directory, COLUMNS, |out| parquet(store, out))?),
@@ -30,7 +30,7 @@ fn table(
     directory: &Directory,
     name: &str,
     write: impl FnOnce(&mut File) -> Result<(), ChunkFault>,
-) -> Result<PathBuf, BadInput> {
+) -> Result<PathBuf, Failure> {
     let mut failed = None;
     let written = directory.write_with(name, |out| {
         write(out).map_err(|why| {

@@ -1,7 +1,7 @@
 //! What a study is asked for: by options, or else by the words of the model.
 
 use super::Options;
-use crate::cli::exit::BadInput;
+use crate::cli::exit::{BadInput, Failure};
 use crate::cli::open::Opened;
 use linkdyn_model::study::{SampleIndices, SampleMethod, Study};
 use linkdyn_study::design::Method;
@@ -34,7 +34,7 @@ impl Wanted {
     ///
     /// # Errors
     /// What can't be read as an axis.
-    pub fn new(options: &Options, opened: &Opened) -> Result<Self, BadInput> {
+    pub fn new(options: &Options, opened: &Opened) -> Result<Self, Failure> {
         let own = match &opened.loaded.model.study {
             Some(study) if options.vary.is_empty() && options.samples.is_none() => study,
             Some(_) | None => return Wanted::of_options(options),
@@ -58,7 +58,7 @@ impl Wanted {
         })
     }
 
-    fn of_options(options: &Options) -> Result<Self, BadInput> {
+    fn of_options(options: &Options) -> Result<Self, Failure> {
         let axes = options.vary.iter().map(|text| {
             let (path, values) = text
                 .split_once('=')
@@ -70,7 +70,7 @@ impl Wanted {
             })
         });
         Ok(Wanted {
-            axes: axes.collect::<Result<_, BadInput>>()?,
+            axes: axes.collect::<Result<_, Failure>>()?,
             samples: options.samples,
             method: match (options.sobol, options.latin) {
                 (true, _) => Method::Sobol { scrambled: true },

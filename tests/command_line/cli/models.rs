@@ -130,7 +130,7 @@ fn a_new_model_overwrites_nothing_unasked() {
     if Path::new("/proc/self").is_dir() {
         refused(
             &["new", "-o", "/proc/x.json"],
-            2,
+            5,
             "/proc/x.json: can't be written: ",
         );
     }

@@ -38,7 +38,7 @@ fn a_full_disk_behind_standard_output_is_told() {
         .output()
         .expect("runs")
         .into();
-    assert_eq!(ran.status, Some(2), "{ran:?}");
+    assert_eq!(ran.status, Some(5), "{ran:?}");
     assert!(
         ran.stderr.contains("standard output can't be written"),
         "{ran:?}"

@@ -7,7 +7,7 @@ use crate::browser::Scratch;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
 
 /// A slider-crank of which crank and rod scatter; its stroke is twice the crank.
@@ -254,7 +254,10 @@ fn bytes_do_not_depend_on_who_computed_them() {
             .spawn()
             .expect("the binary runs");
         std::thread::sleep(Duration::from_millis(30 + 41 * attempt % 300));
-        let _ = child.kill();
+        match attempt % 2 {
+            0 => drop(child.kill()),
+            _ => end(&child, "-TERM"),
+        }
         let _ = child.wait();
     }
     run(&with(&["-o", "killed", "--parquet"]));
@@ -266,5 +269,48 @@ fn bytes_do_not_depend_on_who_computed_them() {
         for other in ["two", "parts", "killed"] {
             assert!(one == read(other), "{file} of {other}");
         }
+    }
+}
+
+/// Sends a signal.
+fn end(child: &Child, signal: &str) {
+    let id = child.id().to_string();
+    let sent = Command::new("kill").args([signal, &id]).status();
+    assert!(sent.is_ok_and(|status| status.success()));
+}
+
+/// Signals to end keep all variants that are done, also of a chunk that is not; what a `nohup` ignores does not end it.
+#[test]
+#[cfg(unix)]
+fn signals_to_end_keep_what_is_done() {
+    let scratch = Scratch::new("study-signals");
+    // one chunk of several seconds
+    let options = ["--samples", "4000", "--set", "analysis.outputs=1001"];
+    let options = [&options[..], &["--threads", "1"]].concat();
+    for (signal, directory) in [("-TERM", "term"), ("-HUP", "hup"), ("-INT", "int")] {
+        let child = command(&scratch, &[&options[..], &["-o", directory]].concat())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the binary runs");
+        let chunks = scratch.0.join(directory).join("chunks");
+        let has_begun = (0..500).any(|_| {
+            std::thread::sleep(Duration::from_millis(20));
+            chunks.exists()
+        });
+        assert!(has_begun);
+        std::thread::sleep(Duration::from_millis(400));
+        end(&child, signal);
+        let output = child.wait_with_output().expect("it ends");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(130), "{signal}: {said}");
+        assert!(
+            said.contains("goes on from the variants that are done"),
+            "{said}"
+        );
+        let kept = fs::read_dir(chunks).expect("there").flatten();
+        let sizes = kept.map(|entry| entry.metadata().map_or(0, |file| file.len()));
+        // a row has some 40 bytes, and there were many
+        assert!(sizes.sum::<u64>() > 2000, "{signal}");
     }
 }

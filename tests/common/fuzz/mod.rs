@@ -35,6 +35,7 @@ struct Origin {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Class {
     Structure,
+    Extremes,
     Tokens,
     Bytes,
     Sets,
@@ -42,8 +43,9 @@ pub enum Class {
 }
 
 impl Class {
-    pub const ALL: [Class; 5] = [
+    pub const ALL: [Class; 6] = [
         Class::Structure,
+        Class::Extremes,
         Class::Tokens,
         Class::Bytes,
         Class::Sets,
@@ -53,6 +55,7 @@ impl Class {
     pub fn word(self) -> &'static str {
         match self {
             Class::Structure => "structure",
+            Class::Extremes => "extremes",
             Class::Tokens => "tokens",
             Class::Bytes => "bytes",
             Class::Sets => "set",
@@ -60,10 +63,11 @@ impl Class {
         }
     }
 
-    /// Of a mutant's number: half of them structure.
+    /// Of a mutant's number: four of ten structure.
     fn of(number: u64) -> Self {
         match number % 10 {
-            0..=4 => Class::Structure,
+            0..=3 => Class::Structure,
+            4 => Class::Extremes,
             5 => Class::Tokens,
             6 => Class::Bytes,
             7 | 8 => Class::Sets,
@@ -244,6 +248,7 @@ impl Fuzzer {
         let (mut bytes, mut sets) = (origin.text.clone().into_bytes(), Vec::new());
         match class {
             Class::Structure => bytes = mutate::structure(&mut rng, &origin.text, &self.values),
+            Class::Extremes => bytes = mutate::extremes(&mut rng, &origin.text),
             Class::Tokens => bytes = mutate::tokens(&mut rng, &origin.text),
             Class::Bytes => {
                 bytes = mutate::bytes(&mut rng, origin.text.as_bytes(), other.text.as_bytes())
@@ -265,7 +270,7 @@ impl Fuzzer {
         let rng = Rng::new(self.seed ^ 0x5eed, number);
         match mutant.class {
             Class::Results => oracle::results(self, rng, mutant),
-            Class::Structure | Class::Tokens | Class::Bytes | Class::Sets => {
+            Class::Structure | Class::Extremes | Class::Tokens | Class::Bytes | Class::Sets => {
                 oracle::model(self, rng, mutant)
             }
         }

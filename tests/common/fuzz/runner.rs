@@ -13,6 +13,9 @@ use std::time::{Duration, Instant};
 use cpu_time::ThreadTime;
 use linkdyn::cli::{self, Said};
 
+/// The exit status of a fault of linkdyn.
+const BROKEN: u8 = 6;
+
 /// How commands are run.
 #[derive(Debug, Clone)]
 pub enum Runner {
@@ -129,6 +132,8 @@ fn inside(arguments: &[String]) -> Ran {
         .chain(arguments.iter().cloned())
         .map(OsString::from);
     match caught(|| cli::captured(words)) {
+        // A fault of linkdyn, which the command has caught.
+        Ok(said) if said.status == BROKEN => Ran::Panicked(said.stderr),
         Ok(said) => Ran::Said(said, start.elapsed()),
         Err(words) => Ran::Panicked(words),
     }
@@ -172,14 +177,16 @@ fn process(binary: &PathBuf, arguments: &[String]) -> Ran {
     streams[1] = String::from_utf8_lossy(&reader.join().unwrap_or_default()).into_owned();
     let [stdout, stderr] = streams;
     match child.wait().map(|status| status.code()) {
-        Ok(Some(code)) if !stderr.contains("panicked at") => Ran::Said(
-            Said {
-                status: u8::try_from(code).unwrap_or(u8::MAX),
-                stdout,
-                stderr,
-            },
-            start.elapsed(),
-        ),
+        Ok(Some(code)) if code != i32::from(BROKEN) && !stderr.contains("panicked at") => {
+            Ran::Said(
+                Said {
+                    status: u8::try_from(code).unwrap_or(u8::MAX),
+                    stdout,
+                    stderr,
+                },
+                start.elapsed(),
+            )
+        }
         Ok(Some(_)) => Ran::Panicked(stderr.lines().take(2).collect::<Vec<_>>().join(" ")),
         Ok(None) => Ran::Killed(format!("by a signal; {stderr}")),
         Err(error) => Ran::Killed(error.to_string()),

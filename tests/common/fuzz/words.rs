@@ -311,6 +311,19 @@ pub fn number(rng: &mut Rng, like: Option<f64>) -> f64 {
     }
 }
 
+/// Zero, or a number whose size is as likely in each decade that a double has; in one of three cases it is a size that is met.
+pub fn extreme(rng: &mut Rng) -> f64 {
+    let decades = match rng.below(3) {
+        0 => 24.0 * (rng.unit() - 0.5),
+        _ => 632.0 * rng.unit() - 324.0,
+    };
+    match rng.below(12) {
+        0 => 0.0,
+        1..=3 => -(10.0_f64.powf(decades)),
+        _ => 10.0_f64.powf(decades),
+    }
+}
+
 /// A text: of a number with a unit, an expression, a kind or anything.
 pub fn text(rng: &mut Rng) -> String {
     match rng.below(5) {

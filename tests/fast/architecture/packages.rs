@@ -42,7 +42,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
 ];
 
 /// Packages that only the command may name.
-const OF_THE_COMMAND: [&str; 4] = ["clap", "ctrlc", "strsim", "linkdyn_validation"];
+const OF_THE_COMMAND: [&str; 4] = ["clap", "signal_hook", "strsim", "linkdyn_validation"];
 
 /// The manifest of one of our packages.
 fn manifest(package: &str) -> String {

@@ -78,12 +78,12 @@ const FAULTS: &[(Option<&str>, bool, &str)] = &[
     (
         Some("angle,pressure\n0,1\n"),
         true,
-        r#"the file has no column "p" (its columns: angle, pressure)"#,
+        r#"the file has no column "p" (its first line names 2 columns)"#,
     ),
     (
         Some("angel,p\n0,1\n"),
         true,
-        r#"the file has no column "angle" (did you mean "angel"?)"#,
+        r#"the file has no column "angle" (its first line names 2 columns)"#,
     ),
     (
         Some("0,1\n1,2\n"),
@@ -93,23 +93,23 @@ const FAULTS: &[(Option<&str>, bool, &str)] = &[
     (
         Some("angle,p\n0,1\n1,high\n"),
         true,
-        r#"line 3: "high" where a number is wanted"#,
+        "line 3, column 2: this is no number",
     ),
     (
         Some("angle;p\n0;1,5\n1;2\n"),
         true,
-        r#"line 2: "1,5" where a number is wanted (a decimal point is a point)"#,
+        "line 2, column 2: this is no number (a decimal point is a point)",
     ),
     (Some("angle,p\n0,1\n1\n"), true, "line 3 has no column 2"),
     (
         Some("angle,p\n0,1\n0,2\n"),
         true,
-        "line 3: 0 is not beyond the 0 before it (the first column of a table increases)",
+        "line 3: its place is not beyond the one before it (the places of a table increase)",
     ),
     (
         Some("angle,p\n0,1\n2,inf\n"),
         true,
-        r#"line 3: "inf" where a number is wanted"#,
+        "line 3, column 2: this is no number",
     ),
     (
         Some("angle,p\n0,1\n"),

@@ -125,6 +125,9 @@ pub static ACCELERATIONS: Choice = Choice {
     ],
 };
 
+/// With a looser tolerance no digit of a result would be right, and estimates of errors mean nothing.
+const LOOSEST: f64 = 0.1;
+
 /// Solver settings; the defaults are right for most models.
 pub static SOLVER: Object = Object {
     name: "Solver",
@@ -144,13 +147,13 @@ pub static SOLVER: Object = Object {
         ),
         default(
             "rtol",
-            Shape::Number(Bound::Above(0.0)),
+            Shape::Number(Bound::Within(0.0, LOOSEST)),
             Default::Number(1e-06),
             "Relative tolerance.",
         ),
         default(
             "atol",
-            Shape::Number(Bound::Above(0.0)),
+            Shape::Number(Bound::Within(0.0, LOOSEST)),
             Default::Number(1e-09),
             "Absolute tolerance, in SI units of each coordinate.",
         ),

@@ -243,6 +243,51 @@ fn double(rng: &mut Rng, root: &mut Value, way: &[Step]) {
     }
 }
 
+/// One to three numbers of any size a double can have at places where numbers stand, and sometimes one of the solver's.
+pub fn extremes(rng: &mut Rng, model: &str) -> Vec<u8> {
+    let mut root: Value = serde_json::from_str(model).unwrap_or_default();
+    let is_number = |root: &mut Value, way: &[Step]| match at(root, way) {
+        Some(Value::Number(_)) => true,
+        Some(Value::String(text)) => split(text).is_some(),
+        Some(_) | None => false,
+    };
+    let mut all = places(&root);
+    all.retain(|way| is_number(&mut root, way));
+    for _ in 0..=rng.below(3) {
+        let Some(way) = rng.pick(&all) else { break };
+        let number = words::extreme(rng);
+        let new = match at(&mut root, way) {
+            Some(Value::String(text)) => split(text)
+                .map(|unit| Value::from(format!("{number:?} {unit}")))
+                .unwrap_or_default(),
+            Some(_) | None => Value::from(number),
+        };
+        put(&mut root, way, new);
+    }
+    if rng.once_in(6)
+        && let Some(Value::Object(analysis)) = root.get_mut("analysis")
+    {
+        let key = rng.word(&["rtol", "atol", "max_step", "initial_step"]);
+        let solver = analysis
+            .entry("solver")
+            .or_insert_with(|| Map::new().into());
+        if let Some(solver) = solver.as_object_mut() {
+            let number = match key {
+                "rtol" | "atol" => 10.0_f64.powf(-16.0 * rng.unit()),
+                _ => words::extreme(rng).abs(),
+            };
+            solver.insert(key.to_owned(), Value::from(number));
+        }
+    }
+    root.to_string().into_bytes()
+}
+
+/// The unit of a text that is a number with a unit.
+fn split(text: &str) -> Option<&str> {
+    let (number, unit) = text.split_once(' ')?;
+    number.parse::<f64>().ok().map(|_| unit)
+}
+
 /// Bytes flipped, cut off, doubled, taken from another file; also such that are no UTF-8.
 pub fn bytes(rng: &mut Rng, model: &[u8], other: &[u8]) -> Vec<u8> {
     let mut bytes = model.to_vec();

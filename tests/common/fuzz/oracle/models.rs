@@ -15,6 +15,8 @@ use super::{Find, Trial, is_odd};
 
 /// Time that a command without a limit may take [s].
 const CHECK: f64 = 2.0;
+/// Time that one with many runs may take [s].
+const SLOW: f64 = 20.0;
 /// Rows that are wanted at most.
 const MOST_ROWS: f64 = 2000.0;
 
@@ -106,6 +108,13 @@ fn accepted(trial: &mut Trial, rng: &mut Rng, base: &Base, loaded: &Loaded) {
     if rng.once_in(3) {
         modes(trial, rng, base);
     }
+    if loaded.model.accuracy.is_some() && rng.once_in(4) {
+        let options = ["--levels", "worst", "--threads", "1"];
+        trial.run(&base.with("accuracy", &[], &options), &[2, 3], SLOW);
+    }
+    if rng.once_in(8) {
+        study(trial, base, &limits(limit, loaded), loaded);
+    }
     if rng.once_in(4) && has_clearance(&loaded.model) && loaded.model.analysis.is_some() {
         compare(trial, base, &limits(limit, loaded));
     }
@@ -131,6 +140,28 @@ fn modes(trial: &mut Trial, rng: &mut Rng, base: &Base) {
         && said.status == 0
     {
         trial.table("modes", &Path::new(&folder).join("modes.csv"), true);
+    }
+}
+
+/// A study of two variants; a panic in one is a row.
+fn study(trial: &mut Trial, base: &Base, sets: &[String], loaded: &Loaded) {
+    let moving = loaded.model.bodies.keys().find(|name| *name != "ground");
+    let (Some(parameter), Some(body)) = (loaded.parameters.first(), moving) else {
+        return;
+    };
+    let (name, value, unit) = (&parameter.name, parameter.value, &parameter.unit);
+    let (vary, response) = (
+        format!(
+            "parameters.{name}={value:?} {unit}, {:?} {unit}",
+            1.01 * value
+        ),
+        format!("own = max({body}.x)"),
+    );
+    let options = ["--vary", &vary, "--response", &response, "--threads", "1"];
+    if let Some(said) = trial.run(&base.with("study", sets, &options), &[2, 3], SLOW)
+        && said.stdout.contains("failed: ")
+    {
+        trial.find("panic", "study", said.stdout);
     }
 }
 
