@@ -11,6 +11,7 @@ mod references;
 #[path = "../../common/accuracy/samples.rs"]
 mod samples;
 mod sensitivities;
+mod spread;
 #[path = "../../common/accuracy/told.rs"]
 pub mod told;
 mod within;

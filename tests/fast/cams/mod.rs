@@ -9,6 +9,7 @@
 
 mod laws;
 mod moving;
+mod turning;
 mod words;
 
 use crate::mechanisms::{column, model, outcome, pin};

@@ -2,6 +2,7 @@
 //! ledger, the ideal joint as the clearance vanishes, the same mechanism told otherwise, and what is refused.
 
 mod balances;
+mod bearings;
 mod forms;
 mod limits;
 mod otherwise;

@@ -2,6 +2,7 @@
 
 mod between;
 mod complaints;
+mod lists;
 
 use linkdyn_engine::analysis::responses::Answer;
 use linkdyn_engine::analysis::{Control, Prepared};

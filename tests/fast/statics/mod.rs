@@ -1,5 +1,6 @@
 //! Equilibria and small motions against closed forms.
 
+mod coupled;
 mod springs;
 
 use crate::mechanisms::*;

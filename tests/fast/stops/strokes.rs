@@ -315,3 +315,54 @@ fn faulty_limits_of_strokes_are_told() {
         assert_eq!(said(&actuator(1.0), &words), expected);
     }
 }
+
+/// Springs that are tightened and let go while they are stretched, beside a stop: what moves their free length or angle works by
+/// −k (l − l₀) l̇₀, so that energies and losses make a whole. Without that part they would miss this much of it.
+#[test]
+fn what_moves_a_free_length_does_its_work() {
+    let turns = |amplitude: f64, offset: f64| json!({ "type": "harmonic", "offset": offset, "amplitude": amplitude, "frequency": 1.3, "phase": 0.4 });
+    let limits = json!({ "limits": [0.35, 0.6], "restitution": 0.8 });
+    for damping in [0.0, 1.5] {
+        let coil = json!({ "type": "spring", "stiffness": STIFFNESS, "damping": damping, "free_length": turns(0.1, FREE) });
+        let mut model = pushed(&coil, &limits, [FREE, 0.0], 2.0);
+        model["analysis"]["outputs"] = json!(2001);
+        // A wheel beside it, whose spring winds it against a stop.
+        model["bodies"]["wheel"] = json!({ "mass": 1.0, "inertia": 0.05, "com": [0.0, 0.0], "points": { "C": [0.0, 0.0] } });
+        model["joints"]["axle"] = pin("ground.O", "wheel.C");
+        join(
+            &mut model["joints"]["axle"],
+            &json!({ "limits": [-0.5, 0.5], "restitution": 0.7 }),
+        );
+        model["forces"]["wind"] = json!({ "type": "torsion_spring", "between": ["wheel", "ground"], "stiffness": 3.0,
+            "damping": 0.02 * damping, "free_angle": turns(0.9, 0.1) });
+        let run = completed(&model);
+        let imbalance = run.report.quality.energy_imbalance.expect("a ledger");
+        assert!(imbalance < 1e-10, "{imbalance:e}");
+        // By the rows, to the trapezium rule at some twenty kinks: what was supplied is what there is and what was lost.
+        let of = |name: &str| column(&run, name);
+        let (time, x, angle) = (of("time"), of("block.x"), of("wheel.angle"));
+        let power = |k: usize| {
+            let phase = 2.0 * PI * 1.3 * time[k] + 0.4;
+            let (wave, rate) = (phase.sin(), 2.0 * PI * 1.3 * phase.cos());
+            let pull = STIFFNESS * (x[k] - FREE - 0.1 * wave) * 0.1 * rate;
+            let wound = 3.0 * (-angle[k] - 0.1 - 0.9 * wave) * 0.9 * rate;
+            -pull - wound
+        };
+        let (speed, omega) = (of("block.vx"), of("wheel.omega"));
+        let braked = |k: usize| damping * (speed[k].powi(2) + 0.02 * omega[k].powi(2));
+        let work: f64 = (1..time.len())
+            .map(|k| {
+                0.5 * (power(k - 1) + power(k) - braked(k - 1) - braked(k))
+                    * (time[k] - time[k - 1])
+            })
+            .sum();
+        let (kinetic, potential) = (of("energy.kinetic"), of("energy.potential"));
+        let whole = |k: usize| kinetic[k] + potential[k];
+        let lost: f64 = run.report.stops.iter().map(|sums| sums.energy_lost).sum();
+        let gained = whole(time.len() - 1) - whole(0) + lost;
+        assert!(
+            (gained - work).abs() < 2e-3 * lost && lost > 0.5,
+            "{gained} by the work of {work}, {lost} lost"
+        );
+    }
+}

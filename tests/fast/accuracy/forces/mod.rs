@@ -93,6 +93,17 @@ fn effort_of_a_slider_crank_has_closed_derivatives() {
     near(pose.found[0].expect("a worst"), high - pose.nominal, 1e-11);
     near(pose.found[1].expect("a worst"), low - pose.nominal, 1e-11);
     assert_eq!((pose.certified, found.outputs[0].unit), (None, "N*m"));
+    // Each source scatters by a third of its tolerance, the driver too.
+    let by = [
+        by_r * 1e-4,
+        by_l * 2e-4,
+        effort(1.0, r, l, ANGLE),
+        by_angle * 1e-3,
+    ];
+    let square: f64 = by.iter().map(|by| (by / 3.0).powi(2)).sum();
+    let [mean, sigma] = pose.moments.expect("moments");
+    near(sigma, square.sqrt(), 1e-10);
+    assert!(mean.abs() < 1e-12 * sigma, "{mean:e}");
     assert_eq!(found.outputs[1].unit, "N");
 }
 
@@ -135,6 +146,44 @@ fn a_pressed_rod_is_shorter_by_the_clearances_of_its_loop() {
         let [low, high] = pose.found.map(|by| by.expect("a worst"));
         near(low, ends[0].min(ends[1]), 1e-10);
         near(high, ends[0].max(ends[1]), 1e-10);
+    }
+}
+
+/// A clearance of at least c/2: neither its mean, nor its width, nor its near end is that of one from zero on.
+#[test]
+fn a_clearance_between_two_carries_from_the_least_to_the_greatest() {
+    let (r, l, c) = (0.05, 0.2, 2e-5);
+    let s = (l * l - (r * ANGLE.sin()).powi(2)).sqrt();
+    for (force, side) in [(-100.0, -1.0), (100.0, 1.0)] {
+        let mut json = slider_crank("statics");
+        json["parameters"] = json!({ "r": "0.05 m", "l": "0.2 m", "push": format!("{force} N") });
+        json["drivers"]["motor"]
+            .as_object_mut()
+            .expect("an object")
+            .remove("tolerance");
+        json["joints"]["big"]["clearance"] =
+            json!({ "model": "ideal", "radius": [0.5 * c, 2.0 * c] });
+        let found = told(&json).answer();
+        let pose = &found.outputs[0].poses[0];
+        let by_rod = -force * r * r * ANGLE.sin() * ANGLE.cos() * l / s.powi(3);
+        let [mean, sigma] = pose.moments.expect("moments");
+        near(mean, side * by_rod * 1.25 * c, 1e-10);
+        near(sigma, by_rod.abs() * 1.5 * c / 12.0_f64.sqrt(), 1e-10);
+        let sorted = |[a, b]: [f64; 2]| [f64::min(a, b), f64::max(a, b)];
+        let first = sorted([0.5, 2.0].map(|pins| side * by_rod * pins * c));
+        let worst =
+            sorted([0.5, 2.0].map(|pins| {
+                effort(force, r, l + side * pins * c, ANGLE) - effort(force, r, l, ANGLE)
+            }));
+        let reached = pose.first.expect("first");
+        let place = found.sources.iter().position(|own| own == "joints.big");
+        let contribution = &pose.contributions[place.expect("a source")];
+        for end in 0..2 {
+            near(reached[end], first[end], 1e-10);
+            near(contribution.reach[end], first[end], 1e-10);
+            near(pose.found[end].expect("a worst"), worst[end], 1e-8);
+        }
+        near(contribution.variance, sigma * sigma, 1e-12);
     }
 }
 

@@ -1,5 +1,7 @@
 //! Transmission angles where the output's point stands still: on a carrier that is welded to ground, or that another driver holds.
 
+mod slides;
+
 use crate::models;
 use crate::transform;
 use linkdyn_engine::analysis::derived::derived;
@@ -8,7 +10,7 @@ use linkdyn_output::Trajectory;
 use serde_json::{Value, json};
 
 /// A bucket on a stick that is welded to ground.
-const WELDED: &str = include_str!("../cases/transmission-angle-noise.json");
+const WELDED: &str = include_str!("../../cases/transmission-angle-noise.json");
 
 fn welded() -> Value {
     serde_json::from_str(WELDED).expect("JSON")

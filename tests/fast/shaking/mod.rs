@@ -1,5 +1,7 @@
 //! Shaking forces and moments of derived columns.
 
+mod slides;
+
 use crate::models;
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_engine::analysis::derived::derived;
