@@ -75,15 +75,28 @@ use crate::broken::caught;
 
 /// Planar multibody dynamics of linkages: assembly, kinematics, forces, statics, motion.
 #[derive(Debug, Parser)]
-#[command(name = "linkdyn", version, after_help = EXIT_HELP)]
+#[command(name = "linkdyn", version, after_help = exit_help())]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
 }
 
-const EXIT_HELP: &str = "Exit status: 0 done, 1 a check or validation found a fault, 2 the input is bad, \
-3 numerics or geometry forbid to go on, 4 something can't be written, 5 a fault of linkdyn itself, 130 interrupted.\n\n\
-Begin with `linkdyn new`. `linkdyn docs tutorial` builds a model step by step; `linkdyn docs messages` explains messages.";
+fn exit_help() -> String {
+    let code = Exit::code;
+    format!(
+        "Exit status: {} done, {} a check or validation found a fault, {} the input is bad, {} numerics or geometry forbid to go on, \
+         {} something can't be written, {} a fault of linkdyn itself, {} interrupted.\n\n\
+         Begin with `linkdyn new`. `linkdyn docs tutorial` builds a model step by step; \
+         `linkdyn docs messages` explains messages.",
+        code(Exit::Done),
+        code(Exit::Fault),
+        code(Exit::BadInput),
+        code(Exit::Stopped),
+        code(Exit::Unwritten),
+        code(Exit::Broken),
+        code(Exit::Interrupted),
+    )
+}
 
 #[derive(Debug, Subcommand)]
 enum Command {
