@@ -5,8 +5,8 @@
 
 pub mod accuracy;
 pub mod analysis;
-pub mod beside;
-mod body;
+mod beside;
+pub mod body;
 pub mod bundled;
 #[doc(hidden)]
 pub mod bushing;
