@@ -117,7 +117,8 @@ impl Parser<'_> {
         let is_power = |word: &str| word.chars().all(|c| c.is_ascii_digit());
         let mut words = inner.split(|c| !is_name(c)).filter(|word| !word.is_empty());
         let units = words.all(|word| {
-            is_power(word) || is_unit(word) && (self.find)(word).is_none() && !self.is_known(word)
+            // Names that are known come first: what is no unit is compared with all that are, to be told.
+            is_power(word) || (self.find)(word).is_none() && !self.is_known(word) && is_unit(word)
         });
         let starts = inner.trim_start().starts_with(char::is_alphabetic);
         (units && starts && Unit::parse(inner).is_ok()).then(|| inner.len() + 2)
