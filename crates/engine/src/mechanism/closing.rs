@@ -183,10 +183,9 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// One step with the damping ν |φ̃|², taken where it brings the residual down.
-    fn step(&mut self, nu: f64) -> Step {
+    /// Factors the matrix at q with a damping; whether it is regular.
+    fn factor(&mut self, damping: f64) -> bool {
         let n = self.q.len();
-        let damping = (nu * self.norm * self.norm).max(LEAST_DAMPING);
         self.evaluation.set_position(&self.q);
         matrix(
             self.system,
@@ -199,7 +198,14 @@ impl<'a> Search<'a> {
             self.values[slot as usize] = if k < n { 1.0 } else { -damping };
         }
         let entries = self.values.len() - 1;
-        if self.lu.factor(&self.values[..entries]).is_err() {
+        self.lu.factor(&self.values[..entries]).is_ok()
+    }
+
+    /// One step with the damping ν |φ̃|², taken where it brings the residual down.
+    fn step(&mut self, nu: f64) -> Step {
+        let n = self.q.len();
+        let damping = (nu * self.norm * self.norm).max(LEAST_DAMPING);
+        if !self.factor(damping) {
             return Step::Singular;
         }
         let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)

@@ -1,10 +1,10 @@
 //! Where the way to the start begins: the drawing with its joints closed and, where that is a singular position, a branch of it.
 
+use super::ranks::start_row;
 use super::way::Values;
 use crate::analysis::branch::turns;
 use crate::analysis::departure::{away, hinted, pace};
 use crate::analysis::in_line::singular_text;
-use crate::element::Constraint;
 use crate::mechanism::branching::{Branch, Singularity};
 use crate::mechanism::closing::close;
 use crate::system::{Block, Evaluation, Inputs, Origin, System};
@@ -116,18 +116,12 @@ fn wanted(system: &System, inputs: &Inputs, q: &[f64]) -> (Vec<Vec<f64>>, Vec<f6
     }
     let at = evaluation.kinematics(inputs);
     for (start, value) in system.starts.iter().zip(&values.starts) {
-        let entries = start.entries();
-        let mut jacobian = vec![0.0; entries.len()];
-        start.jacobian(&at, &mut jacobian);
-        let scale = system.axis_scale(start.axis);
         let mut row = vec![0.0; n];
-        for ((_, body, axis), value) in entries.into_iter().zip(jacobian) {
-            if let Some(column) = system.layout.column(body, axis) {
-                row[column] += value * system.axis_scale(axis) / scale;
-            }
+        for (column, value) in start_row(system, start, &at) {
+            row[column] += value;
         }
         rows.push(row);
-        off.push(-value / scale);
+        off.push(-value / system.axis_scale(start.axis));
     }
     (rows, off)
 }

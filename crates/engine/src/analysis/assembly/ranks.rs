@@ -1,6 +1,7 @@
 //! Ranks of the constraints at a position.
 
-use crate::element::Constraint;
+use crate::element::coordinate::Coordinate;
+use crate::element::{Constraint, Kinematics};
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::rank::{
     BadEntry, DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,
@@ -31,21 +32,28 @@ pub(super) fn with_starts(system: &System, q: &[f64], inputs: &Inputs) -> RankRe
         .collect();
     let at = evaluation.kinematics(inputs);
     for (k, start) in system.starts.iter().enumerate() {
-        let own = start.entries();
-        let mut values = vec![0.0; own.len()];
-        start.jacobian(&at, &mut values);
-        let scale = system.axis_scale(start.axis);
-        for ((_, body, axis), value) in own.into_iter().zip(values) {
-            if let Some(column) = system.layout.column(body, axis) {
-                let scaled = value * system.axis_scale(axis) / scale;
-                entries.push((system.m() + k, column, scaled));
-            }
-        }
+        let row = start_row(system, start, &at).into_iter();
+        entries.extend(row.map(|(column, value)| (system.m() + k, column, value)));
     }
     let rows = system.m() + system.starts.len();
     let rows = SparseRows::from_triplets(rows, system.n(), &entries)
         .unwrap_or_else(|bad| unreachable!("row {} has finite entries", bad.row));
     independent_rows(&rows, DEPENDENCE_TOLERANCE)
+}
+
+/// The scaled row of an initial value, as column and value.
+pub(super) fn start_row(system: &System, start: &Coordinate, at: &Kinematics) -> Vec<(usize, f64)> {
+    let entries = start.entries();
+    let mut values = vec![0.0; entries.len()];
+    start.jacobian(at, &mut values);
+    let scale = system.axis_scale(start.axis);
+    let entries = entries.into_iter().zip(values);
+    entries
+        .filter_map(|((_, body, axis), value)| {
+            let column = system.layout.column(body, axis)?;
+            Some((column, value * system.axis_scale(axis) / scale))
+        })
+        .collect()
 }
 
 /// A direction in which nothing holds the mechanism at `q`, scaled; see [`free_direction`].

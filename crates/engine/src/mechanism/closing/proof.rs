@@ -11,7 +11,7 @@
 //! β comes from inverse iterations, and L from the second derivatives at the guess: of pins these are arms, which do not change. Half of
 //! what the theorem allows is left for what changes.
 
-use super::{LEAST_DAMPING, Search, matrix};
+use super::{LEAST_DAMPING, Search};
 use crate::system::Origin;
 use linkdyn_linear::math::dot;
 
@@ -34,20 +34,10 @@ impl Search<'_> {
         if self.system.cams().next().is_some() {
             return None;
         }
-        let n = self.q.len();
-        self.evaluation.set_position(&self.q);
-        matrix(
-            self.system,
-            &self.rows,
-            &self.evaluation,
-            self.inputs,
-            &mut self.values,
-        );
-        for (k, &slot) in self.rows.diagonal.iter().enumerate() {
-            self.values[slot as usize] = if k < n { 1.0 } else { -LEAST_DAMPING };
+        if !self.factor(LEAST_DAMPING) {
+            return None;
         }
-        let entries = self.values.len() - 1;
-        self.lu.factor(&self.values[..entries]).ok()?;
+        let n = self.q.len();
         let joints = self.part(|origin| matches!(origin, Origin::Joint(_) | Origin::Stop(_)));
         let eta: f64 = [joints, values]
             .into_iter()
