@@ -234,6 +234,15 @@ impl System {
         breaks.reduce(f64::min)
     }
 
+    /// Number of guards of a motion: of contacts, and of formulas and cams whose sides it holds.
+    pub(crate) fn guards(&self) -> usize {
+        let sides = match self.kinks.is_empty() {
+            true => 0,
+            false => self.formulas.len() + self.cams().count(),
+        };
+        self.contacts.len() + sides
+    }
+
     /// Cams and their followers.
     pub(crate) fn cams(&self) -> impl Iterator<Item = &Cam> {
         self.joints

@@ -248,9 +248,10 @@ impl Function {
     /// How far these values are beyond a side, not above zero on it; of whole numbers as a part of one.
     pub(super) fn beyond(self, values: &[f64], side: i32) -> f64 {
         let (x, n) = (values[0], f64::from(side));
-        let own = || values[usize::try_from(side).unwrap_or(0).min(values.len() - 1)];
         let others = |past: fn(f64, f64) -> f64| {
-            let past = values.iter().map(|other| past(own(), *other));
+            let own = usize::try_from(side).unwrap_or(0).min(values.len() - 1);
+            let others = values.iter().enumerate().filter(|(other, _)| *other != own);
+            let past = others.map(|(_, other)| past(values[own], *other));
             past.fold(f64::NEG_INFINITY, f64::max)
         };
         let outside = |x: f64, low: f64, high: f64| (low - x).max(x - high);

@@ -1,5 +1,6 @@
 //! The beginning of a motion: how exact its steps are, and in which phases its contacts are.
 
+use super::events::Events;
 use super::extremes::Extremes;
 use super::fault::Fault;
 use super::flow::Flow;
@@ -93,6 +94,7 @@ impl<'s> Simulation<'s> {
             state,
             steps,
             event: None,
+            events: Events::default(),
             ledger,
             switches: Switches::default(),
             outside,

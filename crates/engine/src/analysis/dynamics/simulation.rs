@@ -8,7 +8,7 @@
 //! ```
 
 use super::ended::Ended;
-use super::events::first_event;
+use super::events::Events;
 use super::extremes::{Extremes, Piece};
 use super::fault::Fault;
 use super::flow::Flow;
@@ -38,6 +38,7 @@ pub struct Simulation<'s> {
     pub(super) steps: Steps,
     /// Where, within the last step, a contact changes its phase.
     pub(super) event: Option<f64>,
+    pub(super) events: Events,
     pub(super) ledger: Ledger,
     pub(super) switches: Switches,
     pub(super) outside: Outside,
@@ -165,14 +166,13 @@ impl<'s> Simulation<'s> {
             let (from, to) = (self.steps.previous(), self.steps.time());
             self.flow.has_passed(from, to)
         };
-        if has_passed {
-            self.event = first_event(&mut self.last_step().0)?;
-        }
+        let mut step = LastStep::new(&mut self.steps, &mut self.flow, &mut self.state);
+        self.event = self.events.first(&mut step)?;
         let memories = self.flow.memories();
         let touching = memories.iter().any(|memory| memory.phase != Phase::Flight);
-        let until = self.reached();
+        let (until, has_event) = (self.reached(), self.event.is_some());
         let (mut step, ledger, mut extremes) = self.last_step();
-        if !touching && !has_passed {
+        if !touching && !has_passed && !has_event {
             step.take_end();
             return Ok(());
         }

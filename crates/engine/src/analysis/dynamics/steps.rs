@@ -134,6 +134,7 @@ impl Steps {
     /// Where it can't be taken.
     pub fn step(&mut self, flow: &mut Flow) -> Result<(), Fault> {
         let ahead = self.ahead(flow);
+        flow.begin_step();
         let taken = self.stepper.step(flow, ahead);
         flow.equations.tell();
         taken.map_err(|failure| flow.stopped(failure))?;
@@ -317,6 +318,7 @@ impl<'a, 's> LastStep<'a, 's> {
             })
             .map_err(Fault::of_part)?;
         // Where it is rejected now, a shorter one takes its place.
+        self.flow.begin_step();
         let taken = self.steps.stepper.step(self.flow, to);
         self.flow.equations.tell();
         taken.map_err(|failure| self.flow.stopped(failure).of_part())

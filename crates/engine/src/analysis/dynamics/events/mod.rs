@@ -1,10 +1,13 @@
 //! Event location: the first instant in the last step at which a guard becomes positive.
 
+mod course;
 pub(super) mod locate;
+mod sweep;
 
 use super::fault::Fault;
 use super::steps::LastStep;
 use locate::{Bracket, Point, locate};
+use sweep::Sweep;
 
 /// Points within a step at which guards are evaluated once one of them has been positive somewhere.
 const POINTS: usize = 8;
@@ -17,40 +20,66 @@ const BEYOND: f64 = 1e-3;
 /// An event is known well enough for that within this part of `BEYOND`.
 const ROUGH: f64 = 0.1;
 
-/// The first event of the last step, which ends near it then; none where no guard was positive.
-///
-/// # Errors
-/// Where the mechanism can't be evaluated within the step.
-pub fn first_event(step: &mut LastStep) -> Result<Option<f64>, Fault> {
+/// Finds the events of steps.
+#[derive(Debug, Default)]
+pub struct Events(Sweep);
+
+impl Events {
+    /// The first event of the last step, which ends near it then; none where no guard becomes positive. The mechanism is
+    /// evaluated at the step's end then.
+    ///
+    /// # Errors
+    /// Where the mechanism can't be evaluated within the step, or the step is too long.
+    pub fn first(&mut self, step: &mut LastStep) -> Result<Option<f64>, Fault> {
+        let (from, to) = (step.from(), step.to());
+        let seen = match step.flow.has_passed(from, to) {
+            true => search(step)?,
+            false => None,
+        };
+        let mut found = match seen {
+            Some(bracket) => nearer(step, bracket)?,
+            None => None,
+        };
+        // What is seen at the evaluations of a step may not be the first event in it.
+        let until = found.map_or(step.to(), |(bracket, _)| bracket.low.time);
+        if let Some(bracket) = self.0.first(step, until)? {
+            found = nearer(step, bracket)?;
+        }
+        match found {
+            Some((bracket, narrow)) => {
+                let located = locate(bracket, narrow, |time| guard(step, time))?;
+                Ok(Some(located.high.time))
+            }
+            None if self.0.taken() > 0 => step.evaluate(step.to()).map(|()| None),
+            None => Ok(None),
+        }
+    }
+}
+
+/// The first event between two times of the last step, which ends near it then, and how narrowly it is to be located.
+fn nearer(step: &mut LastStep, bracket: Bracket) -> Result<Option<(Bracket, f64)>, Fault> {
     let (from, to) = (step.from(), step.to());
-    let Some(mut bracket) = search(step)? else {
-        return Ok(None);
-    };
     // Where joints meet depends on the instant at which they close.
     let part = match step.flow.system().timed.is_empty() {
         true => NARROW,
         false => NARROWER,
     };
-    let mut narrow = part * bracket.width();
-    bracket = locate(
+    let narrow = part * bracket.width();
+    let bracket = locate(
         bracket,
         ROUGH * BEYOND * (bracket.high.time - from),
         |time| guard(step, time),
     )?;
     let beyond = |time: f64| from + (1.0 + BEYOND) * (time - from);
-    if beyond(bracket.high.time) < to {
-        step.take_again(beyond(bracket.high.time))?;
-        let before = from + (1.0 - BEYOND) * (bracket.low.time - from);
-        let Some(again) =
-            between(step, before, step.to())?.map_or_else(|| search(step), |one| Ok(Some(one)))?
-        else {
-            return Ok(None);
-        };
-        bracket = again;
-        narrow = narrow.min(part * (step.to() - from) / POINTS as f64);
+    if beyond(bracket.high.time) >= to {
+        return Ok(Some((bracket, narrow)));
     }
-    let located = locate(bracket, narrow, |time| guard(step, time))?;
-    Ok(Some(located.high.time))
+    step.take_again(beyond(bracket.high.time))?;
+    let before = from + (1.0 - BEYOND) * (bracket.low.time - from);
+    let again =
+        between(step, before, step.to())?.map_or_else(|| search(step), |one| Ok(Some(one)))?;
+    let narrow = narrow.min(part * (step.to() - from) / POINTS as f64);
+    Ok(again.map(|bracket| (bracket, narrow)))
 }
 
 /// The largest guard at a time within the step.

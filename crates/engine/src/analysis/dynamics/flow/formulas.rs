@@ -1,6 +1,7 @@
 //! Formulas and cams whose kinks are held on one side each, so that the flow is smooth between events.
 
-use super::Flow;
+use super::{Flow, Sample};
+use crate::mechanism::reduced::Reduced;
 
 /// How far beyond its side a kink is before that counts, by its scale: above what velocities resolve.
 const PAST: f64 = 1e-12;
@@ -48,8 +49,7 @@ impl Flow<'_> {
     }
 
     fn beyond(&self, formula: usize) -> f64 {
-        let (system, inputs) = (self.system(), &self.equations.inputs);
-        self.equations.evaluation().beyond(system, inputs, formula) - PAST
+        beyond(&self.equations, formula)
     }
 
     /// The force of the first formula that is beyond its side at the point of the last evaluation.
@@ -66,4 +66,25 @@ impl Flow<'_> {
         let formula = formulas.find(|formula| !formula.value(&at).is_finite())?;
         Some(formula.force)
     }
+}
+
+/// How far a formula is past its side, beyond what counts for none.
+fn beyond(equations: &Reduced, formula: usize) -> f64 {
+    let (system, inputs) = (equations.system(), &equations.inputs);
+    equations.evaluation().beyond(system, inputs, formula) - PAST
+}
+
+/// The largest guard of formulas and cams whose sides are held, at the point of the last evaluation, with a sample of each.
+pub(super) fn sample_sides(equations: &Reduced, samples: &mut [Sample]) -> f64 {
+    if samples.is_empty() {
+        return f64::NEG_INFINITY;
+    }
+    let (system, at) = (equations.system(), equations.kinematics());
+    let formulas = (0..system.formulas.len()).map(|formula| beyond(equations, formula));
+    let cams = system.cams().map(|cam| cam.beyond(&at) - PAST);
+    let guards = formulas.chain(cams).zip(samples);
+    guards.fold(f64::NEG_INFINITY, |largest, (guard, sample)| {
+        *sample = Sample::of(guard);
+        largest.max(guard)
+    })
 }

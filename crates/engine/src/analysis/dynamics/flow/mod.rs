@@ -16,7 +16,9 @@ use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
 use crate::system::System;
+use formulas::sample_sides;
 use marks::Marks;
+pub use marks::Sample;
 use sustained::{Grip, Sustained};
 
 /// A mechanism in motion, with the rows of the moment.
@@ -63,7 +65,7 @@ impl<'s> Flow<'s> {
                 .any(|driver| !driver.law.is_constant()),
             refusal: None,
             lambda: vec![0.0; system.m()],
-            marks: Marks::new(),
+            marks: Marks::new(system.guards()),
             shifts: Vec::with_capacity(4),
         }
     }
@@ -210,11 +212,6 @@ impl<'s> Flow<'s> {
         self.system().contacts[contact].stored(self.reading(contact).penetration, memory)
     }
 
-    /// Whether an evaluation within (from, to] has passed an event.
-    pub fn has_passed(&self, from: f64, to: f64) -> bool {
-        self.marks.has_passed(from, to)
-    }
-
     /// Why the last evaluation for a stepper was refused. Values that are not finite come of singular equations.
     pub fn refusal(&self) -> Failure {
         self.refusal.unwrap_or(Failure::Singular)
@@ -237,7 +234,8 @@ impl<'s> Flow<'s> {
         if !self.sustained.is_empty() {
             self.eval_ledger(t, dy);
         } else if self.has_kinks() {
-            self.marks.note(t, self.formula_guard());
+            let largest = sample_sides(&self.equations, self.marks.samples_mut());
+            self.marks.note(t, largest);
         }
     }
 
@@ -258,11 +256,15 @@ impl<'s> Flow<'s> {
             }
         }
         dy[self.layout.work()] = power;
-        let mut largest = self.formula_guard();
-        for (contact, journal) in system.contacts.iter().enumerate() {
+        let sides = &mut self.marks.samples_mut()[system.contacts.len()..];
+        let mut largest = sample_sides(&self.equations, sides);
+        for (contact, pair) in system.contacts.iter().enumerate() {
             let reading = self.reading(contact);
-            let memory = &self.memories()[contact];
-            largest = largest.max(largest_guard(&system.scale, journal, memory, &reading));
+            let memory = self.memories()[contact];
+            let guard = largest_guard(&system.scale, pair, &memory, &reading);
+            self.marks.samples_mut()[contact] =
+                Sample::of_contact(&system.scale, (pair, &memory), &reading, guard);
+            largest = largest.max(guard);
             let pressed = if memory.phase == Phase::Contact {
                 reading.normal
             } else {
