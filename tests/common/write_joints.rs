@@ -47,7 +47,9 @@ impl Scale {
         if let Some(restitution) = joint.stops.restitution {
             words["restitution"] = json!(restitution);
         }
-        assert!(joint.stops.stiffness.is_none() && friction.is_none());
+        assert!(
+            joint.stops.sense.is_none() && joint.stops.stiffness.is_none() && friction.is_none()
+        );
         words
     }
 

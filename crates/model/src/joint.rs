@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bushing::Bushing;
 use super::cam::Cam;
-use super::clearance::{Clearance, Friction};
+use super::clearance::{Clearance, Friction, ImpactSense};
 use super::event::Event;
 use super::tolerance::Play;
 
@@ -70,6 +70,9 @@ pub struct Stops {
     /// Coefficient of restitution of rigid stops, 0 to 1 [–]; left out: 0.
     #[serde(default)]
     pub restitution: Option<f64>,
+    /// What it compares; left out: velocities, as files have always meant it.
+    #[serde(default)]
+    pub sense: Option<ImpactSense>,
     /// Stiffness of stops that yield [N·m/rad or N/m], and of each strand of a belt [N/m]; left out: they are rigid.
     #[serde(default)]
     pub stiffness: Option<f64>,

@@ -9,6 +9,7 @@
 //! (Geneva drive: J. H. Bickford, *Mechanisms for Intermittent Motion*, 1972, ch. 9.)
 
 mod resting;
+mod senses;
 mod words;
 
 use crate::mechanisms::{column, completed, model, near, pin};

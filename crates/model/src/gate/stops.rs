@@ -100,6 +100,7 @@ fn of_nothing(joint: &Joint) -> Option<Fault> {
     let stops = &joint.stops;
     let given = [
         ("restitution", stops.restitution),
+        ("sense", stops.sense.map(|_| 0.0)),
         ("stiffness", stops.stiffness),
         ("damping", stops.damping),
         ("latch", stops.latch.map(|_| 0.0)),
@@ -146,7 +147,12 @@ fn material(joint: &Joint) -> Option<Fault> {
     if stops.limits.is_none() && !is_contact {
         return None;
     }
-    match (stops.stiffness, stops.damping, stops.restitution) {
+    let given = [
+        ("restitution", stops.restitution.is_some()),
+        ("sense", stops.sense.is_some()),
+    ];
+    let rigid = given.into_iter().find(|(_, is_given)| *is_given);
+    match (stops.stiffness, stops.damping, rigid) {
         (None, Some(_), _) => Some((
             "damping",
             match is_contact {
@@ -160,8 +166,8 @@ fn material(joint: &Joint) -> Option<Fault> {
                 }
             },
         )),
-        (Some(_), _, Some(_)) => Some((
-            "restitution",
+        (Some(_), _, Some((key, _))) => Some((
+            key,
             format!(
                 "{} yield, since there is a \"stiffness\": what they give back follows from stiffness and damping",
                 if is_contact { "both" } else { "the stops" }

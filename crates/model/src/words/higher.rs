@@ -2,6 +2,7 @@
 
 use super::cam::{FOLLOWER, PROFILE};
 use super::friction::FRICTION;
+use super::joint::SENSE;
 use crate::dimension::Dimension;
 use crate::shape::{
     Bound, Choice, Default, Drives, Measure, Named, Object, Shape, default, optional, required,
@@ -272,6 +273,7 @@ pub const CONTACT: Object = Object {
             Shape::Number(Bound::Between(0.0, 1.0)),
             "Where they are rigid, 0 where left out [–].",
         ),
+        SENSE,
         optional(
             "stiffness",
             Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),

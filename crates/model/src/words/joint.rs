@@ -1,6 +1,6 @@
 //! Joints.
 
-use super::clearance::CLEARANCE;
+use super::clearance::{CLEARANCE, IMPACT_SENSE};
 use super::friction::FRICTION;
 use super::higher::{BELT, BUSHING, CAM, CONTACT, RACK};
 use crate::dimension::Dimension;
@@ -105,6 +105,12 @@ const RESTITUTION: Field = optional(
     Shape::Number(Bound::Between(0.0, 1.0)),
     "Of rigid stops at its limits, 0 where left out [–].",
 );
+/// Of stops, at which nothing slides, and of contacts.
+pub(super) const SENSE: Field = optional(
+    "sense",
+    Shape::Choice(&IMPACT_SENSE),
+    "What the coefficient of restitution compares, default `kinematic`; with friction `energetic` alone never gains energy.",
+);
 const SLIDE_STIFFNESS: Field = optional(
     "stiffness",
     Shape::Quantity(Measure::Of(Dimension::Stiffness), Bound::Above(0.0)),
@@ -152,6 +158,7 @@ pub static JOINT: Tagged = Tagged {
                     "Where its way ends: least and greatest angle of the second body in the first \\[rad\\]; `null` where it does not.",
                 ),
                 RESTITUTION,
+                SENSE,
                 optional(
                     "stiffness",
                     Shape::Quantity(Measure::Of(Dimension::AngularStiffness), Bound::Above(0.0)),
@@ -221,6 +228,7 @@ pub static JOINT: Tagged = Tagged {
                 ),
                 SLIDE_LIMITS,
                 RESTITUTION,
+                SENSE,
                 SLIDE_STIFFNESS,
                 SLIDE_DAMPING,
                 LATCHED,
@@ -253,6 +261,7 @@ pub static JOINT: Tagged = Tagged {
                 ),
                 SLIDE_LIMITS,
                 RESTITUTION,
+                SENSE,
                 SLIDE_STIFFNESS,
                 SLIDE_DAMPING,
                 LATCHED,

@@ -1,6 +1,7 @@
 //! Outlines and the tips that may touch them.
 
 use super::Compiler;
+use super::contact_parameters::compared;
 use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use crate::element::Marker;
@@ -193,7 +194,7 @@ pub(super) fn surface(joint: &Joint, friction: friction::Law, coefficient: f64) 
         None => Surface::Rigid(Rigid {
             restitution: stops.restitution.unwrap_or(0.0),
             friction: coefficient,
-            sense: Sense::Kinematic,
+            sense: stops.sense.map_or(Sense::Kinematic, compared),
             latch: None,
         }),
     }

@@ -1,6 +1,7 @@
 //! The ends of joints' ways, and of the strokes of springs and actuators.
 
 use super::Compiler;
+use super::contact_parameters::compared;
 use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use crate::element::clasp::Clasp;
@@ -187,7 +188,7 @@ fn surface(stops: &Stops, arm: f64, side: Side) -> Surface {
         None => Surface::Rigid(Rigid {
             restitution: stops.restitution.unwrap_or(0.0),
             friction: 0.0,
-            sense: Sense::Kinematic,
+            sense: stops.sense.map_or(Sense::Kinematic, compared),
             latch: latches.then(|| stops.release.map_or(f64::INFINITY, |pull| pull / arm)),
         }),
     }

@@ -17,6 +17,7 @@ mod vanishing;
 
 use super::flow::Flow;
 use super::modes::{creep, is_there};
+use super::state::Sums;
 use crate::analysis::ends;
 use crate::element::pair::{Contact, Hold, Phase, Reading, Rigid, Surface};
 use crate::mechanism::driven::Failure;
@@ -32,6 +33,9 @@ pub use point::at_rest;
 
 /// Impacts one after the other at one instant after which the rest are one, without rebound.
 const MANY: usize = 100;
+
+/// Part of an impact's work that is round-off.
+const EVEN: f64 = 1e-9;
 
 /// Determinant of the friction's equations, 1 without friction, below which round-off decides which forces answer a motion.
 const UNDETERMINED: f64 = 1e-9;
@@ -168,6 +172,7 @@ impl<'a, 's> Impulses<'a, 's> {
                 self.at.is_answered()?;
             }
             self.at.count(contact, &point, strike.impulse, strike.sums);
+            self.note_gain(contact, reading, &strike.sums);
         }
         if stays {
             *self.at.flow.memory_mut(contact) = Contact {
@@ -201,6 +206,14 @@ impl<'a, 's> Impulses<'a, 's> {
             }
         }
         Ok(())
+    }
+
+    /// Tells the ledger of an impact that gains energy, beyond round-off of the work that it does.
+    fn note_gain(&mut self, contact: usize, reading: &Reading, sums: &Sums) {
+        if sums.dissipated < -EVEN * sums.impulse * reading.rate {
+            let (system, time) = (self.at.flow.system(), self.at.time);
+            self.at.ledger.gain(system, contact, time, -sums.dissipated);
+        }
     }
 
     /// The contact is sustained after an impact whose rebound would be lower than `height`.

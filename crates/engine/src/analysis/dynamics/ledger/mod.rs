@@ -1,5 +1,6 @@
 //! The ledger: what contacts have done, and the energy that went through them.
 
+mod gains;
 mod history;
 mod peaks;
 
@@ -11,6 +12,7 @@ use super::steps::LastStep;
 use super::words::beyond_range;
 use crate::element::pair::{Contact, ContactId, Phase, Reading, Shape};
 use crate::system::System;
+use gains::Gains;
 use linkdyn_output::{ClearanceSums, Report, StopSums};
 
 pub use history::{Entry, History};
@@ -21,6 +23,7 @@ pub type Listener<'l> = &'l mut dyn FnMut(&Ledger, &mut LastStep, usize, f64);
 /// What every contact has done.
 pub struct Ledger {
     accounts: Vec<Account>,
+    gains: Gains,
 }
 
 /// Of one contact.
@@ -50,6 +53,7 @@ impl Ledger {
         });
         Ledger {
             accounts: accounts.collect(),
+            gains: Gains::default(),
         }
     }
 
@@ -158,6 +162,11 @@ impl Ledger {
         self.accounts[contact].released += energy;
     }
 
+    /// An impact has gained this energy \[J\].
+    pub fn gain(&mut self, system: &System, contact: usize, time: f64, gained: f64) {
+        self.gains.note(system, ContactId(contact), time, gained);
+    }
+
     /// What contacts do from the beginning of the last step to `until`, where the mechanism is evaluated then.
     ///
     /// # Errors
@@ -248,6 +257,7 @@ impl Ledger {
             }
             report.events.append(&mut history.events);
         }
+        report.warnings.extend(self.gains.warnings(system));
         report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
     }
 }

@@ -231,11 +231,7 @@ impl Words<'_> {
         let friction = friction
             .or(of_contact.and_then(|friction| friction.coefficient))
             .unwrap_or(0.0);
-        let sense = match impact.and_then(|impact| impact.sense) {
-            None | Some(ImpactSense::Energetic) => Sense::Energetic,
-            Some(ImpactSense::Kinetic) => Sense::Kinetic,
-            Some(ImpactSense::Kinematic) => Sense::Kinematic,
-        };
+        let sense = impact.and_then(|impact| impact.sense);
         Ok(Rigid {
             restitution: self.need("impact.restitution", restitution, |e| {
                 (0.0..=1.0).contains(&e)
@@ -243,9 +239,18 @@ impl Words<'_> {
             friction: self.need("impact.friction", Some(friction), |friction| {
                 friction >= 0.0
             })?,
-            sense,
+            sense: sense.map_or(Sense::Energetic, compared),
             latch: None,
         })
+    }
+}
+
+/// What the word says.
+pub fn compared(sense: ImpactSense) -> Sense {
+    match sense {
+        ImpactSense::Energetic => Sense::Energetic,
+        ImpactSense::Kinetic => Sense::Kinetic,
+        ImpactSense::Kinematic => Sense::Kinematic,
     }
 }
 
