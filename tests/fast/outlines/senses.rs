@@ -106,7 +106,7 @@ fn an_energetic_restitution_never_gains() {
     }
     // The same rods do gain by Newton's hypothesis.
     assert!(
-        impacts > 100 && gained > 5,
+        impacts > 100 && gained > 2,
         "{impacts} impacts, {gained} runs"
     );
 }

@@ -15,7 +15,12 @@
 //!
 //! Each piece acts where the tip is above it: its **room** is how far the tip's centre is from the ends of the piece \[m\]. Where
 //! that is negative there is no contact, but with one of the neighbours. What comes in from the side, deep in the material, is behind
-//! the surface, and has nothing to do with it.
+//! the surface, and has nothing to do with it. How an outline goes on at the [`End`] of a piece:
+//!
+//! ```text
+//! tangent, convex    the same touch goes over to the next piece; a point in the material of a convex corner, on its bisector
+//! hollow             the next piece stands in the way, and both touch; for a point the surface goes on a little into its material
+//! ```
 
 use super::journal::Journal;
 use super::pair::{Compliant, Contact, ContactId, Reading};
@@ -40,6 +45,19 @@ pub struct Edge {
     pub deepest: f64,
     /// What penetrations are measured against \[m\].
     pub size: f64,
+    /// Where it begins, and where it ends.
+    pub ends: [End; 2],
+}
+
+/// How an outline goes on where a piece of it ends.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct End {
+    /// The piece to which a touch goes over.
+    pub next: Option<ContactId>,
+    /// How far the surface goes on into the material of a piece that stands in the way \[m\].
+    pub beyond: f64,
+    /// Tangent of half the turn of a corner that a point goes around.
+    pub lean: f64,
 }
 
 /// What the outline is there.
@@ -71,9 +89,16 @@ impl Sector {
     }
 
     /// How far a direction of a body at an angle is from the ends \[rad\]; negative outside.
-    fn room(&self, direction: Vec2, angle: f64) -> f64 {
+    fn rooms(&self, direction: Vec2, angle: f64) -> [f64; 2] {
         let off = direction.y.atan2(direction.x) - angle - self.middle;
-        self.half - ((off + PI).rem_euclid(TAU) - PI).abs()
+        let off = (off + PI).rem_euclid(TAU) - PI;
+        [self.half + off, self.half - off]
+    }
+
+    /// The same of the nearer one.
+    fn room(&self, direction: Vec2, angle: f64) -> f64 {
+        let [from, to] = self.rooms(direction, angle);
+        from.min(to)
     }
 }
 
@@ -100,20 +125,42 @@ impl Edge {
         reading
     }
 
-    fn room(&self, at: &Kinematics, reading: &Reading) -> f64 {
-        let angle = |marker: &Marker| at.poses[marker.body.0].theta;
-        let [outline, centre] = self.markers();
-        let room = match &self.piece {
-            Piece::Straight(straight) => straight.room(at),
+    /// How far the tip's centre is from the beginning and from the end of the piece \[m\].
+    fn rooms(&self, at: &Kinematics, towards: Vec2) -> [f64; 2] {
+        let [outline, _] = self.markers();
+        match &self.piece {
+            Piece::Straight(straight) => straight.rooms(at),
             Piece::Round(journal, sector) => {
-                let out = reading.towards * journal.side();
-                sector.room(out, angle(&outline)) * journal.clearance.abs()
+                let out = towards * journal.side();
+                let rooms = sector.rooms(out, at.poses[outline.body.0].theta);
+                let [from, to] = rooms.map(|room| room * journal.clearance.abs());
+                // The way along a hollow turns right.
+                match journal.bearing_radius > 0.0 {
+                    true => [to, from],
+                    false => [from, to],
+                }
             }
-        };
+        }
+    }
+
+    fn room(&self, at: &Kinematics, reading: &Reading) -> f64 {
+        let [_, centre] = self.markers();
+        let depth = reading.penetration.max(0.0);
+        let rooms = self.rooms(at, reading.towards).into_iter().zip(self.ends);
+        let room = rooms.fold(f64::INFINITY, |least, (room, end)| {
+            least.min(room + end.beyond - end.lean * depth)
+        });
         let tip = self.tip.map_or(f64::INFINITY, |sector| {
-            sector.room(reading.towards, angle(&centre)) * self.radius()
+            let angle = at.poses[centre.body.0].theta;
+            sector.room(reading.towards, angle) * self.radius()
         });
         room.min(tip)
+    }
+
+    /// The end that the tip's centre is nearer to, 0 or 1.
+    pub fn nearer_end(&self, at: &Kinematics, reading: &Reading) -> usize {
+        let [from, to] = self.rooms(at, reading.towards);
+        usize::from(to < from)
     }
 
     /// How far the tip's centre is from the piece, and its height over it, negative on the side of the material \[m\]; none of a
@@ -124,7 +171,8 @@ impl Edge {
         match &self.piece {
             Piece::Straight(straight) => {
                 let height = -straight.stop.coordinate(at);
-                let beyond = (-straight.room(at)).max(0.0);
+                let [from, to] = straight.rooms(at);
+                let beyond = (-from.min(to)).max(0.0);
                 Some([height.hypot(beyond), height])
             }
             Piece::Round(journal, _) if journal.bearing_radius == 0.0 => None,
@@ -237,6 +285,7 @@ pub(super) mod tests {
             tip: None,
             deepest: 1.0,
             size: 0.7,
+            ends: [End::default(); 2],
         }
     }
 

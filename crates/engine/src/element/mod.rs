@@ -29,6 +29,7 @@ pub mod coordinates;
 pub mod distance;
 pub mod driven;
 pub mod edge;
+pub mod enclosure;
 pub mod fixed;
 pub mod following;
 pub mod formula;

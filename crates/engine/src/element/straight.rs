@@ -85,11 +85,11 @@ impl Straight {
         reading
     }
 
-    /// How far the tip's centre is from the ends, along the straight \[m\].
-    pub(super) fn room(&self, at: &Kinematics) -> f64 {
+    /// How far the tip's centre is from the beginning and from the end, along the straight \[m\].
+    pub(super) fn rooms(&self, at: &Kinematics) -> [f64; 2] {
         // The way along it is against t.
         let way = -self.along().value(at)[0];
-        way.min(self.length - way)
+        [way, self.length - way]
     }
 
     /// ∂v_t/∂v and ∂v_t/∂q.

@@ -43,6 +43,7 @@ pub(crate) use states::StateData;
 pub(crate) use timed::{TimedData, Trigger};
 
 use crate::element::cam::Cam;
+use crate::element::enclosure::Enclosure;
 use crate::element::formula::Formula;
 use crate::element::pair::{ContactId, Pair};
 use crate::element::{Axis, ConstraintDependentForce, Force, Layout, Marker, Measure};
@@ -172,6 +173,8 @@ pub struct System {
     pub(crate) contacts: Vec<Pair>,
     /// Rows that may come into force for each of them.
     pub(crate) contact_rows: Vec<ContactRows>,
+    /// What closed outlines enclose.
+    pub(crate) enclosures: Vec<Arc<Enclosure>>,
     /// Which of them events close and open.
     pub(crate) timed: Vec<TimedData>,
     /// Laws of drivers and forces that have breaks.

@@ -139,6 +139,7 @@ impl System {
         system.exchange(pins.collect());
         system.contacts.clear();
         system.contact_rows.clear();
+        system.enclosures.clear();
         system.timed.clear();
         for joint in &mut system.joints {
             joint.change_extras(|extras| {
@@ -192,6 +193,7 @@ impl System {
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
+            enclosures: Vec::new(),
             timed: Vec::new(),
             broken: Vec::new(),
             gravity: self.gravity,

@@ -124,11 +124,12 @@ fn first_phases(flow: &mut Flow, state: &State, ledger: &mut Ledger) -> Result<(
         if pair.is_one_way() && reading.rate > at_rest(flow) {
             return Err(Stop::Input(vec![backward_start(system, contact)]));
         }
-        let is_behind = passes(pair, &mut Contact::default(), &reading);
+        let carried = flow.is_carried(contact);
+        let is_behind = carried || passes(pair, &mut Contact::default(), &reading);
         if !is_behind && reading.penetration.min(reading.room) > deepest * pair.size() {
             return Err(Stop::Input(vec![deep_start(system, contact, &reading)]));
         }
-        *flow.memory_mut(contact) = first_phase(pair, &reading);
+        *flow.memory_mut(contact) = first_phase(pair, &reading, carried);
         let entry = ledger.entry((flow, state), contact, &reading, 0.0);
         ledger.start(contact, is_behind, &entry, &flow.reading(contact));
     }

@@ -54,6 +54,7 @@ impl Ended {
             | Fault::NoValue { .. }
             | Fault::Apart { .. }
             | Fault::Driven { .. }
+            | Fault::Inside { .. }
             | Fault::Indivisible { .. } => format!("the position at t = {when} can't be solved"),
         };
         Ended {
@@ -99,6 +100,7 @@ fn told(
         Fault::Indivisible { .. }
         | Fault::Apart { .. }
         | Fault::Driven { .. }
+        | Fault::Inside { .. }
         | Fault::Unsolved(_) => true,
     };
     let lock = flow

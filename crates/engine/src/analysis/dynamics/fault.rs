@@ -53,6 +53,12 @@ pub enum Fault {
         /// How fast, at the mechanism's size [m/s].
         left: f64,
     },
+    /// A tip is in the material of its outline, and touches it nowhere.
+    #[error("a tip is inside its outline without touching it")]
+    Inside {
+        /// Index of a contact of the outline.
+        contact: usize,
+    },
     /// The mechanism can't be evaluated.
     #[error(transparent)]
     Unsolved(#[from] Failure),
@@ -68,6 +74,7 @@ impl Fault {
             | Fault::NoValue { .. }
             | Fault::Apart { .. }
             | Fault::Driven { .. }
+            | Fault::Inside { .. }
             | Fault::Unsolved(_) => self,
         }
     }
@@ -84,6 +91,7 @@ impl Fault {
             | Fault::NoValue { .. }
             | Fault::Apart { .. }
             | Fault::Driven { .. }
+            | Fault::Inside { .. }
             | Fault::Indivisible { .. } => None,
         };
         let system = flow.system();
@@ -100,6 +108,7 @@ impl Fault {
             | Fault::Chatters { .. }
             | Fault::Apart { .. }
             | Fault::Driven { .. }
+            | Fault::Inside { .. }
             | Fault::NoValue { .. } => Vec::new(),
         };
         let owner = |row: &usize| system.origin_name(&system.block_of_row(*row).origin);
@@ -108,7 +117,10 @@ impl Fault {
         if let Fault::Chatters { force } | Fault::NoValue { force } = self {
             owners.push(system.owner(force));
         }
-        if let Fault::Apart { contact, .. } | Fault::Driven { contact, .. } = self {
+        if let Fault::Apart { contact, .. }
+        | Fault::Driven { contact, .. }
+        | Fault::Inside { contact } = self
+        {
             owners.push(system.contact_name(ContactId(contact)));
         }
         Reason {

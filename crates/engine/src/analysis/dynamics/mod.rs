@@ -31,6 +31,7 @@ mod paces;
 mod parts;
 mod passages;
 mod sampling;
+mod seams;
 mod settings;
 mod simulation;
 mod start;

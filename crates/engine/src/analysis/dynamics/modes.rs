@@ -3,7 +3,7 @@
 //! Each phase has **guards**, functions of the state that become positive where the phase ends:
 //!
 //! ```text
-//! flight     min(δ, room)                   the journal meets the bearing
+//! flight     min(δ, room + ε)               the journal meets the bearing
 //! contact    −δ − ε, −room − ε              it leaves, or the surface ends there
 //!            −h(δ, δ̇)                       the law would pull, h ≤ 0 (Kelvin and Voigt: K δ + D δ̇)
 //!            v_t − v_up,  v_low − v_t       the friction law goes over to its next piece
@@ -11,13 +11,16 @@
 //! behind     −δ − ε, −room − ε              it is out of the material
 //!
 //! rigid surfaces:
-//! flight     min(δ, δ̇, room)                an impact
+//! flight     min(δ, δ̇, room + ε)            an impact
 //! contact    −N                             the multiplier of the journal on the surface would pull (of a latch beyond what it holds,
 //!                                           of what an event has closed |N|)
 //!            −room − ε                      the surface ends there
 //!            −s v_t                         it slides no more in the way s
 //!            |T| − μ N                      it sticks, and friction can't hold it any longer
 //! ```
+//!
+//! Where an outline goes on smoothly, or around a corner, a touch goes over to the next piece at −room − ε and changes nothing else
+//! (see [`super::seams`]): while a piece is touched, its neighbours are not met.
 //!
 //! A one-way clutch has the guard δ̇ in flight; locks and joints that events close have none.
 //!
@@ -48,7 +51,7 @@ const GRIP: f64 = 1e-8;
 /// The largest of a contact's guards, with round-off by the mechanism's own length, mass and time.
 pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Reading) -> f64 {
     match (&pair.surface, memory.phase) {
-        (Surface::Compliant(_), Phase::Flight) => reading.penetration.min(reading.room),
+        (Surface::Compliant(_), Phase::Flight) => met(pair, reading),
         // It touches always.
         (Surface::Rigid(_), Phase::Flight) if pair.is_one_way() => {
             (reading.rate - creep(scale)) * scale.time
@@ -60,7 +63,7 @@ pub fn largest_guard(scale: &Scale, pair: &Pair, memory: &Contact, reading: &Rea
             let graze = pair.edge().map_or(0.0, |edge| GRAZE * edge.size);
             (reading.penetration - graze)
                 .min(approach * scale.time)
-                .min(reading.room)
+                .min(reading.room + GONE * pair.size())
         }
         (Surface::Rigid(rigid), Phase::Contact) => {
             let ended = -reading.room - GONE * pair.size();
@@ -121,6 +124,17 @@ fn past(friction: &friction::Law, memory: &Contact, reading: &Reading) -> f64 {
     (reading.sliding - up).max(low - reading.sliding)
 }
 
+/// Positive where surfaces overlap; pieces of an outline that meet do so, too, where they meet.
+fn met(pair: &Pair, reading: &Reading) -> f64 {
+    reading.penetration.min(reading.room + GONE * pair.size())
+}
+
+/// Whether a tip is past the end of a piece of its outline: it is where the guard of that end has become positive, also when the position
+/// has been solved once more.
+pub fn is_past(pair: &Pair, reading: &Reading) -> bool {
+    pair.edge().is_some() && -reading.room > 0.5 * GONE * pair.size()
+}
+
 fn gone(pair: &Pair, reading: &Reading) -> f64 {
     (-reading.penetration).max(-reading.room) - GONE * pair.size()
 }
@@ -149,16 +163,16 @@ pub fn passes(pair: &Pair, memory: &mut Contact, reading: &Reading) -> bool {
 }
 
 fn is_behind(edge: &Edge, reading: &Reading) -> bool {
-    reading.room > 0.0 && reading.penetration > edge.deepest
+    reading.room > -GONE * edge.size && reading.penetration > edge.deepest
 }
 
-/// The phase in which a journal is at the start.
-pub fn first_phase(pair: &Pair, reading: &Reading) -> Contact {
+/// The phase in which a journal is at the start; in flight where a neighbour `carries` the touch.
+pub fn first_phase(pair: &Pair, reading: &Reading, carries: bool) -> Contact {
     let mut memory = Contact::default();
-    if passes(pair, &mut memory, reading) {
+    if carries || passes(pair, &mut memory, reading) {
         return memory;
     }
-    let touches = reading.penetration.min(reading.room) > 0.0;
+    let touches = met(pair, reading) > 0.0;
     if touches && matches!(pair.surface, Surface::Compliant(_)) {
         begin(pair, reading, &mut memory);
     }
@@ -205,7 +219,7 @@ pub fn change(
         return None;
     };
     match memory.phase {
-        Phase::Flight => (reading.penetration.min(reading.room) > 0.0).then(|| {
+        Phase::Flight => (met(pair, reading) > 0.0).then(|| {
             begin(pair, reading, memory);
             Change::Begin
         }),

@@ -15,7 +15,7 @@ use super::flow::Flow;
 use super::impulses::{Impulses, Instant, Jams};
 use super::ledger::Ledger;
 use super::margins::Margins;
-use super::modes::{Change, change, passes};
+use super::modes::{Change, change};
 use super::paces::Begun;
 use super::passages::Passages;
 use super::state::State;
@@ -106,6 +106,7 @@ impl<'s> Simulation<'s> {
             self.steps.begin_again(&mut self.flow, &self.state, from)?;
             self.stride()?;
         }
+        self.check_outlines()?;
         let until = self.reached();
         let mut step = LastStep::new(&mut self.steps, &mut self.flow, &mut self.state);
         self.passages.note(&mut step, until);
@@ -208,14 +209,6 @@ impl<'s> Simulation<'s> {
         self.last_step().0.take_beginning().is_ok() && self.impulses(time).loosen().is_ok()
     }
 
-    /// Tips that have gone behind an outline, or have come out from there.
-    fn pass(&mut self) {
-        for (contact, pair) in self.flow.system().contacts.iter().enumerate() {
-            let reading = self.flow.reading(contact);
-            passes(pair, self.flow.memory_mut(contact), &reading);
-        }
-    }
-
     /// Closes and opens what events of the motion say; whether there was anything.
     fn fire(&mut self, time: f64) -> Result<bool, Fault> {
         if self.flow.system().timed.is_empty() {
@@ -261,6 +254,7 @@ impl<'s> Simulation<'s> {
     /// What happens at an event: impulses, then phases that end. The motion starts again from there.
     fn change(&mut self, time: f64) -> Result<(), Fault> {
         let time = self.met(time)?;
+        self.hand_over();
         self.pass();
         // Velocities that impulses leave may be an event themselves.
         while self.fire(time)? {}
@@ -274,6 +268,9 @@ impl<'s> Simulation<'s> {
             let reading = self.flow.reading(contact);
             let was = self.flow.memories()[contact];
             let mut memory = was;
+            if self.flow.is_carried(contact) {
+                continue;
+            }
             let Some(change) = change(&system.scale, journal, &mut memory, &reading) else {
                 continue;
             };
@@ -312,7 +309,9 @@ impl<'s> Simulation<'s> {
             }
             None => self.steps.begin_again(&mut self.flow, &self.state, time)?,
         }
+        let handed = self.ledger.handed();
         if let Some(extremes) = &mut self.extremes {
+            extremes.hand_over(&handed);
             extremes.begin_piece(&mut self.flow, &self.state, &self.ledger, time);
         }
         Ok(())

@@ -17,7 +17,7 @@
 
 use crate::element::pair::Surface;
 use crate::system::System;
-use std::ops::Range;
+use std::ops::{Range, Sub};
 use std::sync::Arc;
 
 /// Quantities kept per contact.
@@ -158,6 +158,18 @@ impl Sums {
     }
 }
 
+impl Sub for Sums {
+    type Output = Sums;
+
+    fn sub(self, before: Sums) -> Sums {
+        Sums {
+            dissipated: self.dissipated - before.dissipated,
+            impulse: self.impulse - before.impulse,
+            sliding: self.sliding - before.sliding,
+        }
+    }
+}
+
 /// A point of the motion: y.
 #[derive(Debug, Clone)]
 pub struct State {
@@ -227,6 +239,14 @@ impl State {
     pub fn straighten_bristle(&mut self, contact: usize) {
         if let Some(component) = self.layout.bristle(contact) {
             self.y[component] = 0.0;
+        }
+    }
+
+    /// The bristles of one contact become those of another.
+    pub fn hand_bristle(&mut self, [from, to]: [usize; 2]) {
+        let components = [from, to].map(|contact| self.layout.bristle(contact));
+        if let [Some(from), Some(to)] = components {
+            self.y[to] = std::mem::take(&mut self.y[from]);
         }
     }
 

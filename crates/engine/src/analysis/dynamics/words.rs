@@ -165,6 +165,13 @@ pub(super) fn unclosed(system: &System, fault: Fault, now: f64) -> Option<String
                  there, or let a torque drive instead of it"
             )
         }
+        Fault::Inside { contact } => {
+            let name = system.owner_words(ContactId(contact));
+            format!(
+                "at t = {when} the tip of {name} is inside its outline, and has not been seen to touch it: steps were too long for \
+                 it; the rows until there are kept. A shorter max_step, or a smaller rtol, sees it"
+            )
+        }
         Fault::TooSmall { .. }
         | Fault::Indivisible { .. }
         | Fault::Chatters { .. }
@@ -187,6 +194,7 @@ pub(super) fn describe(fault: Fault, now: f64, what: &str, display: &DisplayUnit
         | Fault::NoValue { .. }
         | Fault::Apart { .. }
         | Fault::Driven { .. }
+        | Fault::Inside { .. }
         | Fault::Unsolved(_) => format!(
             "the motion can't be followed beyond t = {}: the constraints are singular there{what}; the rows until there are kept",
             display.time(now)

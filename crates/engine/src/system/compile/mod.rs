@@ -109,6 +109,7 @@ impl<'a> Compiler<'a> {
             dependent_forces: Vec::new(),
             contacts: Vec::new(),
             contact_rows: Vec::new(),
+            enclosures: Vec::new(),
             timed: Vec::new(),
             broken: laws::broken(model),
             gravity: Vec2::from(model.gravity),

@@ -51,6 +51,13 @@ impl Episodes {
         });
     }
 
+    /// A contact goes on as another.
+    pub fn hand_over(&mut self, [from, to]: [usize; 2]) {
+        if let Some(episode) = self.open[from].take() {
+            self.open[to] = Some(episode);
+        }
+    }
+
     /// Whether the force is larger than all before in this contact.
     pub fn rises(&self, contact: usize, force: f64) -> bool {
         self.open[contact]

@@ -98,6 +98,13 @@ impl Extremes {
         self.watch.fill(&mut self.here, row);
     }
 
+    /// Contacts go on as others.
+    pub fn hand_over(&mut self, handed: &[[usize; 2]]) {
+        for &contacts in handed {
+            self.episodes.hand_over(contacts);
+        }
+    }
+
     /// A smooth piece of the motion begins at `time`: at the start of the run, or after an event.
     pub fn begin_piece(&mut self, flow: &mut Flow, state: &State, ledger: &Ledger, time: f64) {
         if flow.evaluate_exactly(time, state.as_slice()).is_err() {

@@ -2,7 +2,7 @@
 
 use super::Flow;
 use super::formulas::sample_sides;
-use crate::analysis::dynamics::modes::{creep, largest_guard};
+use crate::analysis::dynamics::modes::creep;
 use crate::element::pair::{Contact, Pair, Phase, Reading, Surface};
 use crate::system::Scale;
 
@@ -153,19 +153,24 @@ impl<'s> Flow<'s> {
         let (contacts, others) = samples.split_at_mut(self.sustained.len());
         let mut largest = sample_sides(&self.equations, others);
         for (contact, sample) in contacts.iter_mut().enumerate() {
-            let (pair, memory) = self.contact(contact);
             let reading = self.reading(contact);
-            let scale = &self.system().scale;
-            let guard = largest_guard(scale, pair, memory, &reading);
-            *sample = Sample::of_contact(scale, (pair, memory), &reading, guard);
+            let guard = self.guard(contact, &reading);
+            *sample = self.sample_contact(contact, &reading, guard);
             largest = largest.max(guard);
         }
         largest
     }
 
-    /// A contact, and what it remembers.
-    fn contact(&self, contact: usize) -> (&'s Pair, &Contact) {
-        (&self.system().contacts[contact], &self.memories()[contact])
+    /// A contact with this reading and guard; one without a guard has no sample.
+    pub(super) fn sample_contact(&self, contact: usize, reading: &Reading, guard: f64) -> Sample {
+        let (system, memory) = (self.system(), &self.memories()[contact]);
+        match guard > f64::NEG_INFINITY {
+            true => {
+                let pair = &system.contacts[contact];
+                Sample::of_contact(&system.scale, (pair, memory), reading, guard)
+            }
+            false => Sample::never(),
+        }
     }
 
     /// Whether an evaluation within (from, to] has passed an event.

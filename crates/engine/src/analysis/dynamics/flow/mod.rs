@@ -192,19 +192,20 @@ impl<'s> Flow<'s> {
 
     /// The largest of all guards at the point of the last evaluation.
     pub fn largest_guard(&self) -> f64 {
-        let scale = &self.system().scale;
-        let contacts = self.system().contacts.iter().zip(self.memories());
-        contacts.enumerate().fold(
-            self.formula_guard(),
-            |largest, (contact, (journal, memory))| {
-                largest.max(largest_guard(
-                    scale,
-                    journal,
-                    memory,
-                    &self.reading(contact),
-                ))
-            },
-        )
+        let contacts = 0..self.memories().len();
+        contacts.fold(self.formula_guard(), |largest, contact| {
+            largest.max(self.guard(contact, &self.reading(contact)))
+        })
+    }
+
+    /// The largest of a contact's guards with this reading.
+    pub fn guard(&self, contact: usize, reading: &Reading) -> f64 {
+        if self.is_carried(contact) {
+            return f64::NEG_INFINITY;
+        }
+        let system = self.system();
+        let (pair, memory) = (&system.contacts[contact], &self.memories()[contact]);
+        largest_guard(&system.scale, pair, memory, reading)
     }
 
     /// Elastic energy of a contact at the point of the last evaluation, in the phase of `memory` \[J\].
@@ -258,13 +259,12 @@ impl<'s> Flow<'s> {
         dy[self.layout.work()] = power;
         let sides = &mut self.marks.samples_mut()[system.contacts.len()..];
         let mut largest = sample_sides(&self.equations, sides);
-        for (contact, pair) in system.contacts.iter().enumerate() {
+        for contact in 0..system.contacts.len() {
             let reading = self.reading(contact);
-            let memory = self.memories()[contact];
-            let guard = largest_guard(&system.scale, pair, &memory, &reading);
-            self.marks.samples_mut()[contact] =
-                Sample::of_contact(&system.scale, (pair, &memory), &reading, guard);
+            let guard = self.guard(contact, &reading);
+            self.marks.samples_mut()[contact] = self.sample_contact(contact, &reading, guard);
             largest = largest.max(guard);
+            let memory = &self.memories()[contact];
             let pressed = if memory.phase == Phase::Contact {
                 reading.normal
             } else {

@@ -2,7 +2,6 @@
 
 use super::Flow;
 use crate::analysis::assembly::ranks;
-use crate::analysis::dynamics::modes::largest_guard;
 use crate::element::pair::{Hold, Surface};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::{Exchanged, Windows};
@@ -68,8 +67,7 @@ impl Flow<'_> {
         let pair = &system.contacts[contact];
         let is_closed = self.sustained[contact].is_some() && self.is_in_contact(contact);
         pair.latch().is_some() && is_closed && {
-            let (memory, reading) = (&self.memories()[contact], self.reading(contact));
-            largest_guard(&system.scale, pair, memory, &reading) <= 0.0
+            self.guard(contact, &self.reading(contact)) <= 0.0
         }
     }
 

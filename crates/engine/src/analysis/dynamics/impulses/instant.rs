@@ -176,6 +176,7 @@ impl Instant<'_, '_> {
             (memory.piece, memory.anchor) = (way, anchor);
         }
         self.exchange_rows(&holds)?;
+        self.hand_over(were, &holds);
         for (contact, &hold) in holds.iter().enumerate() {
             // What surfaces that yield do is not for impulses to say.
             if matches!(
@@ -209,6 +210,30 @@ impl Instant<'_, '_> {
             }
         }
         Ok(())
+    }
+}
+
+impl Instant<'_, '_> {
+    /// Touches go over to the next piece of their outline where that is held from now on.
+    fn hand_over(&mut self, were: &[Hold], holds: &[Hold]) {
+        for from in 0..holds.len() {
+            if !self.flow.is_in_contact(from) || holds[from] != Hold::Free {
+                continue;
+            }
+            let next = self.flow.next_piece(from);
+            let next = next.filter(|&to| !self.flow.is_in_contact(to) && holds[to] != Hold::Free);
+            let Some(to) = next else { continue };
+            let approach = self.flow.memories()[from].approach;
+            *self.flow.memory_mut(from) = Contact::default();
+            let memory = self.flow.memory_mut(to);
+            (memory.phase, memory.approach) = (Phase::Contact, approach);
+            let reading = self.flow.reading(to);
+            self.ledger.hand_over(self.state, [from, to], &reading);
+            if were[from] != Hold::Free && were[from] != holds[to] {
+                let sticks = holds[to] == Hold::Sticks;
+                self.ledger.history(to).switch(self.time, sticks);
+            }
+        }
     }
 }
 

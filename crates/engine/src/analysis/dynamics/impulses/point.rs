@@ -1,7 +1,6 @@
 //! The point at which a rigid journal touches its bearing: what impulses there change, and what friction does there.
 
 use crate::analysis::dynamics::flow::Flow;
-use crate::analysis::dynamics::modes::largest_guard;
 use crate::analysis::dynamics::modes::{STILL, is_there};
 use crate::element::Applied;
 use crate::element::pair::{Reading, Surface};
@@ -142,8 +141,7 @@ pub(super) fn acting_of(flow: &Flow, counts: impl Fn(usize) -> bool) -> Option<u
     let mut contacts = (0..system.contacts.len()).filter(|&contact| counts(contact));
     contacts.find(|&contact| {
         let journal = &system.contacts[contact];
-        let (memory, reading) = (&flow.memories()[contact], flow.reading(contact));
         matches!(journal.surface, Surface::Rigid(_))
-            && largest_guard(&system.scale, journal, memory, &reading) > 0.0
+            && flow.guard(contact, &flow.reading(contact)) > 0.0
     })
 }

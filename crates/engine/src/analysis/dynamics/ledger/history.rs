@@ -132,6 +132,18 @@ impl History {
         }
     }
 
+    /// The episode that is open goes over to another contact: it, and what it has done so far.
+    pub fn hand_over(&mut self, sums: Sums) -> Option<(Episode, Sums)> {
+        let (episode, start) = self.open.take()?;
+        Some((episode, sums - start))
+    }
+
+    /// One comes over from another, which has done this; `sums` are the contact's own.
+    pub fn take_over(&mut self, (episode, done): (Episode, Sums), sums: Sums) {
+        self.open = Some((episode, sums - done));
+        self.last = sums;
+    }
+
     /// It presses again.
     pub fn press(&mut self) {
         if let Some((episode, _)) = &mut self.open {

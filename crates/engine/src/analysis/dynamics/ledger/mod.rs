@@ -24,6 +24,8 @@ pub type Listener<'l> = &'l mut dyn FnMut(&Ledger, &mut LastStep, usize, f64);
 pub struct Ledger {
     accounts: Vec<Account>,
     gains: Gains,
+    /// Touches that have gone over from a contact to another.
+    handed: Vec<[usize; 2]>,
 }
 
 /// Of one contact.
@@ -54,6 +56,7 @@ impl Ledger {
         Ledger {
             accounts: accounts.collect(),
             gains: Gains::default(),
+            handed: Vec::new(),
         }
     }
 
@@ -155,6 +158,21 @@ impl Ledger {
             }
         }
         *last = *reading;
+    }
+
+    /// The touch of a contact goes over to another, as it is there: no more than the piece of an outline changes.
+    pub fn hand_over(&mut self, state: &State, [from, to]: [usize; 2], reading: &Reading) {
+        let [before, after] = [from, to].map(|contact| self.sums(state, contact));
+        if let Some(open) = self.history(from).hand_over(before) {
+            self.history(to).take_over(open, after);
+        }
+        self.accounts[to].last = *reading;
+        self.handed.push([from, to]);
+    }
+
+    /// Contacts that have gone over to others since this was asked last.
+    pub fn handed(&mut self) -> Vec<[usize; 2]> {
+        std::mem::take(&mut self.handed)
     }
 
     /// Elastic energy of a contact is lost \[J\].
