@@ -183,8 +183,8 @@ impl Leaning<'_> {
                         laws.normal.continued(reading.penetration, 0.0, 0.0)
                     }
                     Surface::Rigid(_) => {
-                        let block = self.whole.contact_rows[contact].block;
-                        sample.lambda[held.driven.system.blocks[block].row()]
+                        let block = held.driven.system.held_block(contact);
+                        block.map_or(0.0, |block| sample.lambda[block.row()])
                     }
                 };
             }

@@ -52,6 +52,11 @@ pub trait Ode {
     /// Number n of components of y.
     fn dimension(&self) -> usize;
 
+    /// Number m of leading components of y that f depends on; what stands behind them is integrated, and asked by nothing.
+    fn asked(&self) -> usize {
+        self.dimension()
+    }
+
     /// dy = f(t, y). Values that are not finite count as refused.
     fn eval(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Refused>;
 

@@ -45,6 +45,8 @@ pub struct Radau5 {
     pub(super) limits: Limits,
     counters: Counters,
     n: usize,
+    /// Components that f depends on.
+    asked: usize,
     t: f64,
     previous: f64,
     /// Length proposed for the next step.
@@ -70,8 +72,10 @@ pub struct Radau5 {
     f: Vec<f64>,
     /// Divided differences of the collocation polynomial (3 × n).
     dense: Vec<f64>,
-    /// ∂f/∂y (n × n) by rows.
+    /// ∂f/∂y (n × m) by rows; the other columns are zero.
     jacobian: Vec<f64>,
+    /// Real and imaginary parts of the components that f depends on (2 × m).
+    pair: Vec<f64>,
     age: Age,
     /// The signed step that the factors belong to; NaN where there are none.
     factored: f64,
@@ -106,6 +110,7 @@ impl Radau5 {
             limits,
             counters: Counters::default(),
             n: 0,
+            asked: 0,
             t: 0.0,
             previous: 0.0,
             h: 0.0,
@@ -123,6 +128,7 @@ impl Radau5 {
             f: Vec::new(),
             dense: Vec::new(),
             jacobian: Vec::new(),
+            pair: Vec::new(),
             age: Age::Stale,
             factored: f64::NAN,
             real: SmallLu::default(),
@@ -130,9 +136,9 @@ impl Radau5 {
         }
     }
 
-    /// Makes room for n components.
-    pub(super) fn reserve(&mut self, n: usize) {
-        self.n = n;
+    /// Makes room for n components, of which f depends on the first m.
+    pub(super) fn reserve(&mut self, n: usize, m: usize) {
+        (self.n, self.asked) = (n, m);
         for vector in [
             &mut self.y,
             &mut self.slope,
@@ -145,9 +151,10 @@ impl Radau5 {
         for vector in [&mut self.z, &mut self.w, &mut self.f, &mut self.dense] {
             vector.resize(3 * n, 0.0);
         }
-        self.jacobian.resize(n * n, 0.0);
-        self.real.resize(n);
-        self.complex.resize(2 * n);
+        self.jacobian.resize(n * m, 0.0);
+        self.pair.resize(2 * m, 0.0);
+        self.real.resize(m);
+        self.complex.resize(2 * m);
     }
 
     /// An attempt by h that ends at t: its error, once f accepts its end, too (the slope is left in `room`).
@@ -225,7 +232,7 @@ impl Stepper for Radau5 {
             y.len() == n && self.given.atol.len() == n,
             "y and atol have the dimension of the equations"
         );
-        self.reserve(n);
+        self.reserve(n, ode.asked());
         let rtol = 0.1 * self.given.rtol.sqrt() * fourth_root(self.given.rtol);
         self.tolerance.rtol = rtol;
         for (inner, given) in self.tolerance.atol.iter_mut().zip(&self.given.atol) {

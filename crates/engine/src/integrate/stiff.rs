@@ -33,7 +33,7 @@ impl Stiff {
         if self.is_sparse {
             self.sparse.reserve(n);
         } else {
-            self.dense.reserve(n);
+            self.dense.reserve(n, ode.asked());
         }
     }
 

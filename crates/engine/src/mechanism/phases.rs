@@ -26,10 +26,21 @@ type Link = OnceLock<Box<Phase>>;
 
 /// One of them, and the next.
 struct Phase {
-    holds: Vec<Hold>,
+    /// Those that are held.
+    holds: Vec<(usize, Hold)>,
     windows: Windows,
     system: System,
     next: Link,
+}
+
+impl Drop for Phase {
+    /// One after the other: a tip that rolls along an outline makes a phase of each of its pieces.
+    fn drop(&mut self) {
+        let mut link = std::mem::take(&mut self.next);
+        while let Some(mut phase) = link.into_inner() {
+            link = std::mem::take(&mut phase.next);
+        }
+    }
 }
 
 impl<'m> Phases<'m> {
@@ -49,19 +60,21 @@ impl<'m> Phases<'m> {
         windows: &Windows,
         exchanged: impl FnOnce() -> Exchanged,
     ) -> &System {
-        if holds.iter().all(|hold| *hold == Hold::Free) && windows.iter().all(Option::is_none) {
+        let held = holds.iter().copied().enumerate();
+        let held: Vec<(usize, Hold)> = held.filter(|(_, hold)| *hold != Hold::Free).collect();
+        if held.is_empty() && windows.iter().all(Option::is_none) {
             return self.whole;
         }
         let mut link = &self.first;
         while let Some(phase) = link.get() {
-            if phase.holds == holds && phase.windows == *windows {
+            if phase.holds == held && phase.windows == *windows {
                 return &phase.system;
             }
             link = &phase.next;
         }
         let made = link.get_or_init(|| {
             Box::new(Phase {
-                holds: holds.to_vec(),
+                holds: held,
                 windows: windows.clone(),
                 system: self.whole.with_rows(holds, exchanged()),
                 next: Link::new(),

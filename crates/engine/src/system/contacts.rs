@@ -2,8 +2,9 @@
 
 use super::{ContactRows, JointData, JointRole, Origin, Owner, System};
 use crate::element::Measure;
-use crate::element::pair::{ContactId, Shape};
+use crate::element::pair::{ContactId, Pair, Shape};
 use crate::element::stop::Stop;
+use std::sync::Arc;
 
 /// The lower and the upper stop of a joint, its one-way clutch, and its lock.
 pub(crate) type Ends = [Option<ContactId>; 4];
@@ -89,6 +90,12 @@ impl System {
         owners.any(|rows| matches!(rows.owner, Owner::Force(_)))
     }
 
+    /// Adds a contact, with the rows that may come into force for it.
+    pub(super) fn push_contact(&mut self, pair: Pair, rows: ContactRows) {
+        Arc::make_mut(&mut self.contacts).push(pair);
+        Arc::make_mut(&mut self.contact_rows).push(rows);
+    }
+
     /// The stops of a spring or an actuator.
     pub(crate) fn stops_of_force(&self, force: usize) -> impl Iterator<Item = ContactId> {
         let owners = self.contact_rows.iter().enumerate();
@@ -118,7 +125,7 @@ impl System {
     pub(crate) fn turned(&self, turns: &[f64]) -> System {
         let mut system = self.clone();
         for (contact, turn) in turns.iter().enumerate() {
-            let pair = &mut system.contacts[contact];
+            let pair = &mut Arc::make_mut(&mut system.contacts)[contact];
             if let Shape::Stop(stop) = &mut pair.shape {
                 *stop = stop.turned(*turn);
                 system.rows_anew(ContactId(contact));
@@ -129,7 +136,7 @@ impl System {
 
     /// The rows of a stop after a change of it.
     pub(super) fn rows_anew(&mut self, id: ContactId) {
-        let rows = &mut self.contact_rows[id.0];
+        let rows = &mut Arc::make_mut(&mut self.contact_rows)[id.0];
         *rows = ContactRows::of(&self.contacts[id.0], id, rows.owner, rows.block);
     }
 

@@ -170,9 +170,10 @@ pub struct System {
     /// Forces that depend on multipliers; no part of [`Evaluation::eval_force`].
     pub(crate) dependent_forces: Vec<DependentForce>,
     /// Joints with clearance by contact force, in the order of the joints; then the stops of joints and the pieces of outlines.
-    pub(crate) contacts: Vec<Pair>,
+    /// They are shared by the systems of all phases.
+    pub(crate) contacts: Arc<Vec<Pair>>,
     /// Rows that may come into force for each of them.
-    pub(crate) contact_rows: Vec<ContactRows>,
+    pub(crate) contact_rows: Arc<Vec<ContactRows>>,
     /// What closed outlines enclose.
     pub(crate) enclosures: Vec<Arc<Enclosure>>,
     /// Which of them events close and open.

@@ -32,8 +32,9 @@ pub enum Owner {
 pub struct ContactRows {
     /// What it belongs to.
     pub(crate) owner: Owner,
-    /// Index into [`System::blocks`].
-    pub(crate) block: usize,
+    /// Index into [`System::blocks`]; none of a piece of an outline, whose block is there only while it is held: an outline may have
+    /// thousands.
+    pub(crate) block: Option<usize>,
     /// Those of an ideal pin, in the place of a journal in its bearing.
     pub(crate) closed: Option<Arc<dyn Constraint>>,
     /// That of rigid surfaces which stay together.
@@ -91,7 +92,7 @@ pub(super) fn reach(extents: &[Extent]) -> f64 {
 
 impl ContactRows {
     /// Of a contact, where no rows stand for it otherwise.
-    pub(super) fn of(pair: &Pair, id: ContactId, owner: Owner, block: usize) -> Self {
+    pub(super) fn of(pair: &Pair, id: ContactId, owner: Owner, block: Option<usize>) -> Self {
         ContactRows {
             owner,
             block,
@@ -113,32 +114,52 @@ impl System {
     ) -> System {
         let mut system = self.clone();
         let mut constraints = exchanged;
-        for (rows, hold) in self.contact_rows.iter().zip(holds) {
-            match hold {
-                Hold::Free => {}
-                Hold::Slides => {
-                    constraints.push((rows.block, rows.sustained.clone()));
-                    let friction = rows.friction.iter().map(|force| DependentForce {
-                        force: force.clone(),
-                        block: rows.block,
-                    });
-                    system.dependent_forces.extend(friction);
-                }
-                Hold::Sticks => constraints.push((rows.block, rows.stuck.clone())),
+        let mut added = Vec::new();
+        for (contact, (rows, hold)) in self.contact_rows.iter().zip(holds).enumerate() {
+            let constraint = match hold {
+                Hold::Free => continue,
+                Hold::Slides => rows.sustained.clone(),
+                Hold::Sticks => rows.stuck.clone(),
+            };
+            let block = rows.block.unwrap_or(self.blocks.len() + added.len());
+            if let (Hold::Slides, Some(force)) = (hold, &rows.friction) {
+                let force = force.clone();
+                system
+                    .dependent_forces
+                    .push(DependentForce { force, block });
+            }
+            match rows.block {
+                Some(block) => constraints.push((block, constraint)),
+                None => added.push((constraint, Origin::Stop(ContactId(contact)))),
             }
         }
         system.exchange(constraints);
+        for (constraint, origin) in added {
+            system.push_block(constraint, origin);
+        }
         system
+    }
+
+    /// The block of a contact that is held.
+    pub(crate) fn held_block(&self, contact: usize) -> Option<&Block> {
+        let own = self.contact_rows[contact].block;
+        match own {
+            Some(block) => self.blocks.get(block),
+            None => {
+                let mut last = self.blocks.iter().rev();
+                last.find(|block| block.origin == Origin::Stop(ContactId(contact)))
+            }
+        }
     }
 
     /// The system in which all contacts are ideal pins.
     pub(crate) fn closed(&self) -> System {
         let mut system = self.clone();
         let pins = self.contact_rows.iter();
-        let pins = pins.filter_map(|rows| Some((rows.block, rows.closed.clone()?)));
+        let pins = pins.filter_map(|rows| Some((rows.block?, rows.closed.clone()?)));
         system.exchange(pins.collect());
-        system.contacts.clear();
-        system.contact_rows.clear();
+        system.contacts = Arc::default();
+        system.contact_rows = Arc::default();
         system.enclosures.clear();
         system.timed.clear();
         for joint in &mut system.joints {
@@ -191,8 +212,8 @@ impl System {
             states: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),
-            contacts: Vec::new(),
-            contact_rows: Vec::new(),
+            contacts: Arc::default(),
+            contact_rows: Arc::default(),
             enclosures: Vec::new(),
             timed: Vec::new(),
             broken: Vec::new(),

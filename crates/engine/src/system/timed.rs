@@ -60,9 +60,10 @@ impl System {
 
     /// The system in which all joints are open that may be; none where there are none.
     pub(crate) fn opened(&self) -> Option<System> {
-        let clasps = self.contacts.iter().zip(&self.contact_rows);
+        let clasps = self.contacts.iter().zip(self.contact_rows.iter());
         let clasps = clasps.filter(|(pair, _)| pair.clasp().is_some());
-        let open = clasps.map(|(_, rows)| (rows.block, Arc::new(Free) as Arc<dyn Constraint>));
+        let blocks = clasps.filter_map(|(_, rows)| rows.block);
+        let open = blocks.map(|block| (block, Arc::new(Free) as Arc<dyn Constraint>));
         let open: Vec<_> = open.collect();
         (!open.is_empty()).then(|| self.with_rows(&vec![Hold::Free; self.contacts.len()], open))
     }
@@ -83,7 +84,7 @@ impl System {
                 .timed
                 .iter()
                 .any(|timed| timed.contact == id && timed.from.is_some());
-            let pair = &mut system.contacts[contact];
+            let pair = &mut Arc::make_mut(&mut system.contacts)[contact];
             let Shape::Stop(stop) = &mut pair.shape else {
                 continue;
             };

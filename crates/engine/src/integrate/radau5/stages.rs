@@ -4,6 +4,7 @@ use super::{Age, Converged, ITERATIONS, Radau5};
 use crate::integrate::control::{Rejection, finite, fourth_root, rms, weigh};
 use crate::integrate::radau5_tableau::{ALPHA, BETA, C, E, GAMMA, T, T_INVERSE};
 use crate::integrate::{Ode, Refused};
+use linkdyn_linear::math::dot;
 
 impl Radau5 {
     /// Evaluates f at `self.stage` into `self.room`.
@@ -16,9 +17,9 @@ impl Radau5 {
 
     /// J by differences, each towards where the step h leads, or to the other side where that is refused.
     pub(super) fn differentiate(&mut self, ode: &mut dyn Ode, h: f64) -> Result<(), Rejection> {
-        let n = self.n;
+        let (n, m) = (self.n, self.asked);
         self.counters.jacobians += 1;
-        for j in 0..n {
+        for j in 0..m {
             let moved = h * self.slope[j];
             let size = self.y[j]
                 .abs()
@@ -33,16 +34,17 @@ impl Radau5 {
             }
             let delta = self.stage[j] - self.y[j];
             for i in 0..n {
-                self.jacobian[i * n + j] = (self.room[i] - self.slope[i]) / delta;
+                self.jacobian[i * m + j] = (self.room[i] - self.slope[i]) / delta;
             }
         }
         (self.age, self.factored) = (Age::Fresh, f64::NAN);
         Ok(())
     }
 
-    /// Factors γ/h − J and [α/h − J, β/h; −β/h, α/h − J].
+    /// Factors γ/h − J and [α/h − J, β/h; −β/h, α/h − J], of the rows and columns of what f depends on: the others are solved for
+    /// one by one.
     pub(super) fn factor(&mut self, h: f64) -> Result<(), Rejection> {
-        let n = self.n;
+        let n = self.asked;
         self.counters.factorisations += 1;
         let (real, complex) = (self.real.values(), self.complex.values());
         complex.fill(0.0);
@@ -65,6 +67,35 @@ impl Radau5 {
         }
         self.factored = h;
         Ok(())
+    }
+
+    /// Solves (γ/h − J) x = b.
+    fn solve_real(&self, h: f64, b: &mut [f64]) {
+        let m = self.asked;
+        let (asked, others) = b.split_at_mut(m);
+        self.real.solve(asked);
+        for (k, b) in others.iter_mut().enumerate() {
+            *b = (*b + dot(&self.jacobian[(m + k) * m..][..m], asked)) * h / GAMMA;
+        }
+    }
+
+    /// Solves [α/h − J, β/h; −β/h, α/h − J] x = b.
+    fn solve_complex(&mut self, h: f64, b: &mut [f64]) {
+        let m = self.asked;
+        let (real, imaginary) = b.split_at_mut(self.n);
+        self.pair[..m].copy_from_slice(&real[..m]);
+        self.pair[m..].copy_from_slice(&imaginary[..m]);
+        self.complex.solve(&mut self.pair);
+        real[..m].copy_from_slice(&self.pair[..m]);
+        imaginary[..m].copy_from_slice(&self.pair[m..]);
+        let part = h / (ALPHA * ALPHA + BETA * BETA);
+        for k in m..self.n {
+            let row = &self.jacobian[k * m..][..m];
+            let a = real[k] + dot(row, &self.pair[..m]);
+            let b = imaginary[k] + dot(row, &self.pair[m..]);
+            real[k] = (ALPHA * a - BETA * b) * part;
+            imaginary[k] = (ALPHA * b + BETA * a) * part;
+        }
     }
 
     /// Stages from the last step's polynomial, and their transforms.
@@ -114,9 +145,11 @@ impl Radau5 {
                 self.z[n + i] -= (ALPHA * b + BETA * c) / h;
                 self.z[2 * n + i] -= (ALPHA * c - BETA * b) / h;
             }
-            let (real, complex) = self.z.split_at_mut(n);
-            self.real.solve(real);
-            self.complex.solve(complex);
+            let mut z = std::mem::take(&mut self.z);
+            let (real, complex) = z.split_at_mut(n);
+            self.solve_real(h, real);
+            self.solve_complex(h, complex);
+            self.z = z;
             let sum: f64 = self
                 .z
                 .chunks_exact(n)
@@ -155,7 +188,8 @@ impl Radau5 {
     pub(super) fn estimate(&mut self, h: f64, improved: bool) -> f64 {
         let n = self.n;
         let slope = if improved { &self.room } else { &self.slope };
-        let error = &mut self.f[..n];
+        let mut f = std::mem::take(&mut self.f);
+        let error = &mut f[..n];
         for i in 0..n {
             let stages: f64 = E
                 .into_iter()
@@ -166,8 +200,10 @@ impl Radau5 {
             let size = self.y[i].abs().max((self.y[i] + self.z[2 * n + i]).abs());
             self.weights[i] = 1.0 / (self.tolerance.atol[i] + self.tolerance.rtol * size);
         }
-        self.real.solve(error);
-        rms(error, &self.weights)
+        self.solve_real(h, error);
+        let size = rms(error, &self.weights);
+        self.f = f;
+        size
     }
 }
 

@@ -6,11 +6,11 @@ use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use crate::element::edge::{Edge, End, Piece, Sector};
 use crate::element::enclosure::Enclosure;
-use crate::element::journal::{Free, Journal};
+use crate::element::journal::Journal;
 use crate::element::pair::{Compliant, ContactId, Pair, Rigid, Shape, Surface};
 use crate::element::straight::Straight;
 use crate::element::{BodyId, Marker};
-use crate::system::{ContactRows, JointId, Origin, Owner};
+use crate::system::{ContactRows, JointId, Owner};
 use linkdyn_linear::math::{Vec2, perp};
 use linkdyn_model::outline::{Corner, arc_centre};
 use linkdyn_model::{Joint, JointKind};
@@ -79,7 +79,7 @@ impl Way {
 }
 
 impl Compiler<'_> {
-    /// Pieces of outlines stand behind all other contacts, and their rows behind all others.
+    /// Pieces of outlines stand behind all other contacts. They have rows only where they are held, behind all others.
     pub(super) fn add_edges(&mut self) {
         for (k, (name, joint)) in self.model.joints.iter().enumerate() {
             if let JointKind::Contact {
@@ -151,11 +151,8 @@ impl Compiler<'_> {
             surface: surface.clone(),
         };
         let id = ContactId(self.system.contacts.len());
-        let block = self.system.blocks.len();
-        self.push_block(Arc::new(Free), Origin::Stop(id));
-        let rows = ContactRows::of(&pair, id, Owner::Joint(JointId(joint)), block);
-        self.system.contact_rows.push(rows);
-        self.system.contacts.push(pair);
+        let rows = ContactRows::of(&pair, id, Owner::Joint(JointId(joint)), None);
+        self.system.push_contact(pair, rows);
     }
 }
 

@@ -238,12 +238,11 @@ impl Compiler<'_> {
             offset: None,
         };
         let closed: Option<Arc<dyn Constraint>> = Some(Arc::new(pin));
-        self.system.contact_rows.push(ContactRows {
-            block: joint,
+        let rows = ContactRows {
             closed,
-            ..ContactRows::of(&pair, id, Owner::Joint(JointId(joint)), joint)
-        });
-        self.system.contacts.push(pair);
+            ..ContactRows::of(&pair, id, Owner::Joint(JointId(joint)), Some(joint))
+        };
+        self.system.push_contact(pair, rows);
     }
 
     /// Friction of an ideal joint, where it has some.

@@ -100,9 +100,8 @@ impl Compiler<'_> {
             }),
             surface: rigid(Some(release.unwrap_or(f64::INFINITY))),
         };
-        let rows = ContactRows::of(&pair, id, Owner::Joint(JointId(k)), k);
-        self.system.contact_rows.push(rows);
-        self.system.contacts.push(pair);
+        let rows = ContactRows::of(&pair, id, Owner::Joint(JointId(k)), Some(k));
+        self.system.push_contact(pair, rows);
         self.system.joints[k].change_extras(|extras| extras.clasp = Some(id));
         id
     }
@@ -134,9 +133,8 @@ impl Compiler<'_> {
         };
         let block = self.system.blocks.len();
         self.push_block(Arc::new(Free), Origin::Stop(id));
-        let rows = ContactRows::of(&pair, id, end.owner, block);
-        self.system.contact_rows.push(rows);
-        self.system.contacts.push(pair);
+        let rows = ContactRows::of(&pair, id, end.owner, Some(block));
+        self.system.push_contact(pair, rows);
         if let Owner::Joint(joint) = end.owner {
             self.system.joints[joint.0].change_extras(|extras| {
                 extras.stops.get_or_insert_default()[index] = Some(id);

@@ -5,7 +5,7 @@ use crate::analysis::assembly::ranks;
 use crate::element::pair::{Hold, Surface};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::{Exchanged, Windows};
-use crate::system::{Inputs, System};
+use crate::system::{Block, Inputs, System};
 
 /// A contact that is a constraint.
 #[derive(Debug, Clone, Copy)]
@@ -94,8 +94,8 @@ impl Flow<'_> {
         self.lambda.resize(system.m(), 0.0);
         // Those of contacts stand behind the joints' own.
         let mut next = self.layout.forces();
-        for (contact, rows) in system.contact_rows.iter().enumerate() {
-            let grip = match holds[contact] {
+        for (contact, hold) in holds.iter().enumerate() {
+            let grip = match hold {
                 Hold::Free => {
                     self.sustained[contact] = None;
                     continue;
@@ -110,7 +110,7 @@ impl Flow<'_> {
             // Where the contact goes on, the force of the last evaluation stands until the next.
             let before = self.sustained[contact].map_or(0.0, |before| before.normal_force);
             self.sustained[contact] = Some(Sustained {
-                row: system.blocks[rows.block].row(),
+                row: system.held_block(contact).map_or(0, Block::row),
                 normal_force: before,
                 grip,
             });

@@ -36,7 +36,7 @@ pub struct History {
     /// Sums at the last point.
     last: Sums,
     last_angle: f64,
-    /// S by angle of the bearing \[N·m\].
+    /// S by angle of the bearing \[N·m\]; nothing of what is none.
     pub wear: Vec<f64>,
     /// Episodes that are over.
     pub episodes: u64,
@@ -70,7 +70,10 @@ impl History {
             open: None,
             last: Sums::default(),
             last_angle: 0.0,
-            wear: vec![0.0; WEAR_BINS],
+            wear: match pair.journal() {
+                Some(_) => vec![0.0; WEAR_BINS],
+                None => Vec::new(),
+            },
             episodes: 0,
             most: 0.0,
             switches: 0,
@@ -242,7 +245,7 @@ impl History {
     /// Spreads a part of S over the bins from the last angle to this one, the shorter way.
     fn wear_between(&mut self, angle: f64, part: f64) {
         use std::f64::consts::TAU;
-        if part == 0.0 {
+        if part == 0.0 || self.wear.is_empty() {
             return;
         }
         let bins = WEAR_BINS as f64;
