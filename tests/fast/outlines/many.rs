@@ -10,7 +10,6 @@ fn wheel(pieces: u32, made: Value) -> Value {
         [angle.cos(), angle.sin()]
     };
     let outline: Vec<[f64; 2]> = (0..=pieces).map(place).collect();
-    // Where the corner at the top is, or the middle of a straight.
     let mut model = disc([0.0, 1.0 + RADIUS], [0.0; 2], json!(outline), made, 0.01);
     let bodies = &mut model["bodies"];
     bodies["wheel"] =
@@ -44,5 +43,21 @@ fn an_outline_takes_memory_by_its_pieces() {
         let each = (bytes[1] - bytes[0]) / 1500;
         assert!(each < 10_000, "{each} bytes for a piece");
         assert!(bytes[1] < 5 * bytes[0], "{bytes:?}");
+    }
+}
+
+/// It rests on one straight after the other, over the corners between, all in one touch; every corner is passed where round-off of the
+/// position could have left the tip on either side.
+#[test]
+fn a_wheel_of_many_straights_is_touched_once() {
+    // Slower than where it would fly off the corners, v² = g r.
+    for speed in [0.5, 0.1] {
+        let mut model = wheel(300, json!({ "restitution": 0.0 }));
+        model["drivers"]["turn"]["motion"]["velocity"] = json!(speed);
+        model["analysis"]["end"] = json!(0.6 / speed);
+        let run = completed(&model);
+        assert_eq!(run.report.status, Status::Completed);
+        assert_eq!(run.report.stops[0].episodes, 1);
+        near(run.report.stops[0].time_in_contact, 0.6 / speed, 1e-9);
     }
 }

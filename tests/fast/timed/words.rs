@@ -149,7 +149,7 @@ fn what_cannot_close_is_told() {
     model["joints"]["clutch"] = json!({ "type": "slot", "axis": [1, 0], "between": ["rotor.O", "load.O"], "one_way": "forward" });
     assert_eq!(
         said_of(&model),
-        r#"joints.clutch.one_way: "one_way": unknown key (known keys: type, axis, play, limits, restitution, stiffness, damping, latch, release, active, lock, between, note)"#
+        r#"joints.clutch.one_way: "one_way": unknown key (known keys: type, axis, play, limits, restitution, sense, stiffness, damping, latch, release, active, lock, between, note)"#
     );
 }
 

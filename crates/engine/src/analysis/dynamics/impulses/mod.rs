@@ -16,7 +16,7 @@ mod touching;
 mod vanishing;
 
 use super::flow::Flow;
-use super::modes::{creep, is_there};
+use super::modes::{creep, is_past, is_there};
 use super::state::Sums;
 use crate::analysis::ends;
 use crate::element::pair::{Contact, Hold, Phase, Reading, Rigid, Surface};
@@ -271,10 +271,16 @@ impl<'a, 's> Impulses<'a, 's> {
     fn settle_from(&mut self, were: &[Hold], slow: f64) -> Result<(), Failure> {
         let flow = &*self.at.flow;
         let latched = flow.holds();
+        let held = (0..were.len()).filter(|&k| were[k] != Hold::Free);
+        let handed: Vec<usize> = held.filter_map(|k| flow.next_piece(k)).collect();
         let contacts = (0..were.len()).filter(|&k| {
             let pair = &flow.system().contacts[k];
-            let goes_on = were[k] != Hold::Free && is_there(pair, &flow.reading(k));
-            latched[k] == Hold::Free && !pair.is_timed() && (goes_on || touches(flow, k, slow))
+            let (held, reading) = (were[k] != Hold::Free, flow.reading(k));
+            let goes_on = (held || handed.contains(&k)) && is_there(pair, &reading);
+            // Also where round-off would have it there once more.
+            let has_left = held && is_past(pair, &reading);
+            let acts = !has_left && (goes_on || touches(flow, k, slow));
+            latched[k] == Hold::Free && !pair.is_timed() && acts
         });
         let contacts = contacts.collect();
         let touching = Touching::new(self.at.flow, contacts);
@@ -290,7 +296,8 @@ impl<'a, 's> Impulses<'a, 's> {
         let mut free: Vec<f64> = (0..touching.len())
             .map(|k| {
                 // What an impact has stopped may leave by round-off.
-                let was = were[touching.contacts[k]] != Hold::Free;
+                let contact = touching.contacts[k];
+                let was = were[contact] != Hold::Free || handed.contains(&contact);
                 let least = if was { slow } else { at_rest(flow) };
                 if stays[k] || rates[k].abs() <= least {
                     accelerations[k]
