@@ -89,12 +89,13 @@ impl Radau5 {
         real[..m].copy_from_slice(&self.pair[..m]);
         imaginary[..m].copy_from_slice(&self.pair[m..]);
         let part = h / (ALPHA * ALPHA + BETA * BETA);
-        for k in m..self.n {
-            let row = &self.jacobian[k * m..][..m];
-            let a = real[k] + dot(row, &self.pair[..m]);
-            let b = imaginary[k] + dot(row, &self.pair[m..]);
-            real[k] = (ALPHA * a - BETA * b) * part;
-            imaginary[k] = (ALPHA * b + BETA * a) * part;
+        let others = real[m..].iter_mut().zip(&mut imaginary[m..]);
+        for (k, (real, imaginary)) in others.enumerate() {
+            let row = &self.jacobian[(m + k) * m..][..m];
+            let a = *real + dot(row, &self.pair[..m]);
+            let b = *imaginary + dot(row, &self.pair[m..]);
+            *real = (ALPHA * a - BETA * b) * part;
+            *imaginary = (ALPHA * b + BETA * a) * part;
         }
     }
 

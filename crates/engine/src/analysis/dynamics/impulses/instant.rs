@@ -216,8 +216,8 @@ impl Instant<'_, '_> {
 impl Instant<'_, '_> {
     /// Touches go over to the next piece of their outline where that is held from now on.
     fn hand_over(&mut self, were: &[Hold], holds: &[Hold]) {
-        for from in 0..holds.len() {
-            if !self.flow.is_in_contact(from) || holds[from] != Hold::Free {
+        for (from, hold) in holds.iter().enumerate() {
+            if !self.flow.is_in_contact(from) || *hold != Hold::Free {
                 continue;
             }
             let next = self.flow.next_piece(from);
