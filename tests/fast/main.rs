@@ -48,6 +48,7 @@ mod extremes;
 mod face;
 mod family;
 mod flat_start;
+mod fly_bys;
 mod formulas;
 mod golden;
 mod gradients;

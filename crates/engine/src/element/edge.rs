@@ -34,6 +34,9 @@ use std::sync::Arc;
 /// Depth, in parts of the mechanism, up to which a tip is taken to have come from above.
 const SHALLOW: f64 = 1e-2;
 
+/// Half of an arc \[rad\] up to which the directions within it are those on the right sides of both its ends.
+const FLAT: f64 = 0.49 * PI;
+
 /// A piece of an outline, and the tip that may touch it.
 #[derive(Debug, Clone)]
 pub struct Edge {
@@ -157,6 +160,34 @@ impl Edge {
         room.min(tip)
     }
 
+    /// How far the tip's centre is from both ends \[m\], by functions that are smooth also where it passes the centre of an arc: above
+    /// zero together where there is room.
+    pub fn level_rooms(&self, at: &Kinematics, reading: &Reading) -> [f64; 2] {
+        let [outline, centre] = self.markers();
+        let mut rooms = self.rooms(at, reading.towards);
+        if let Piece::Round(_, sector) = &self.piece
+            && sector.half < FLAT
+        {
+            let from_middle = centre.place(at) - outline.place(at);
+            let turn = at.poses[outline.body.0].theta + sector.middle;
+            let end = |angle: f64| Vec2::new((turn + angle).cos(), (turn + angle).sin());
+            let [from, to] = [end(-sector.half), end(sector.half)];
+            rooms = [from.perp(&from_middle), from_middle.perp(&to)];
+            if matches!(&self.piece, Piece::Round(journal, _) if journal.bearing_radius > 0.0) {
+                rooms.reverse();
+            }
+        }
+        let depth = reading.penetration.max(0.0);
+        for (room, end) in rooms.iter_mut().zip(self.ends) {
+            *room += end.beyond - end.lean * depth;
+        }
+        if let Some(sector) = self.tip {
+            let angle = at.poses[centre.body.0].theta;
+            rooms[0] = rooms[0].min(sector.room(reading.towards, angle) * self.radius());
+        }
+        rooms
+    }
+
     /// The end that the tip's centre is nearer to, 0 or 1.
     pub fn nearer_end(&self, at: &Kinematics, reading: &Reading) -> usize {
         let [from, to] = self.rooms(at, reading.towards);
@@ -232,6 +263,14 @@ impl Edge {
         match &self.piece {
             Piece::Straight(straight) => straight.slope(at, laws, reading, position, velocity),
             Piece::Round(journal, _) => journal.slope(at, laws, reading, position, velocity),
+        }
+    }
+
+    /// R − r of an arc \[m\], 0 of a straight.
+    pub fn bend(&self) -> f64 {
+        match &self.piece {
+            Piece::Straight(_) => 0.0,
+            Piece::Round(journal, _) => journal.clearance,
         }
     }
 

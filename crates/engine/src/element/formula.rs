@@ -8,7 +8,7 @@
 //! A function may have kinks and jumps, and is smooth on either **side** of each. That side holds which [`Kinematics::sides`]
 //! says, in a motion between its events, else the one on which the values are.
 
-use super::quantity::Quantity;
+use super::quantity::{Measured, Quantity};
 use super::span::BOTH;
 use super::{Axis, BodyId, Kinematics};
 use crate::motion::Law;
@@ -147,5 +147,37 @@ impl Formula {
     pub fn beyond(&self, at: &Kinematics, scales: &[f64]) -> f64 {
         let (held, scales) = (&at.sides[self.kinks()], &scales[self.kinks()]);
         self.function.beyond(&self.inputs(at), held, scales)
+    }
+
+    /// What its arguments are at an instant, as functions that are as smooth as the motion: of distances the squares, each with its
+    /// rate where that is known.
+    pub fn levels(&self, at: &Kinematics, levels: &mut [[f64; 2]]) {
+        for ((_, quantity), level) in self.arguments.iter().zip(levels) {
+            *level = match quantity {
+                Quantity::Time => [at.time, 1.0],
+                Quantity::Drive(driver) => [at.drive[*driver][0], at.drive[*driver][1]],
+                Quantity::Value(measured) => {
+                    let [value, rate] = measured.value(at);
+                    match measured {
+                        Measured::Distance { .. } => [value * value, 2.0 * value * rate],
+                        _ => [value, rate],
+                    }
+                }
+                Quantity::State(_) | Quantity::Rate(_) => [quantity.value(at), f64::NAN],
+            };
+        }
+    }
+
+    /// How far beyond the sides that are held it is where its arguments have these levels [–].
+    pub fn beyond_at(&self, levels: &[f64], sides: &[i32], scales: &[f64]) -> f64 {
+        let mut inputs = [-0.0; MOST_ARGUMENTS];
+        for ((input, quantity), level) in self.arguments.iter().zip(levels) {
+            inputs[*input] += match quantity {
+                Quantity::Value(Measured::Distance { .. }) => level.max(0.0).sqrt(),
+                _ => *level,
+            };
+        }
+        let (held, scales) = (&sides[self.kinks()], &scales[self.kinks()]);
+        self.function.beyond(&inputs, held, scales)
     }
 }

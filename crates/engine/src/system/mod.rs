@@ -247,6 +247,16 @@ impl System {
         self.contacts.len() + sides
     }
 
+    /// Number of the arguments of all formulas, where any of them has kinks.
+    pub(crate) fn kinked_arguments(&self) -> usize {
+        let arguments = self.formulas.iter().map(|formula| formula.arguments.len());
+        if self.kinks.is_empty() {
+            0
+        } else {
+            arguments.sum()
+        }
+    }
+
     /// Cams and their followers.
     pub(crate) fn cams(&self) -> impl Iterator<Item = &Cam> {
         self.joints

@@ -32,7 +32,7 @@ use crate::element::pair::{Contact, Pair, Phase, Reading, Rigid, Surface};
 use crate::system::Scale;
 
 /// A journal has left where it is this far, in parts of its size (a bearing's clearance), from the surface: well above round-off.
-const GONE: f64 = 1e-10;
+pub const GONE: f64 = 1e-10;
 /// Penetration of a tip that only grazes an outline, in parts of the mechanism.
 const GRAZE: f64 = 1e-12;
 /// Approach of a rigid journal that is round-off [L/T]: velocities of constrained bodies are good to some 1e-12.

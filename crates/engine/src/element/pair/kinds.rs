@@ -1,12 +1,49 @@
 //! What a pair is.
 
-use super::{Pair, Shape};
+use super::{Pair, Reading, Shape};
+use crate::element::Kinematics;
 use crate::element::clasp::Clasp;
 use crate::element::edge::Edge;
 use crate::element::journal::Journal;
-use crate::element::stop::Stop;
+use crate::element::stop::{Stop, Way};
+
+/// A contact by functions that are as smooth as the motion, which are above zero together where δ and the room are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Level {
+    /// A multiple of δ \[m\], at δ = 0 δ itself.
+    pub value: f64,
+    /// Its rate [m/s].
+    pub rate: f64,
+    /// How far the contact is from where its surface ends \[m\].
+    pub rooms: [f64; 2],
+}
 
 impl Pair {
+    /// The contact's level.
+    ///
+    /// A distance has a sharp bend where what is measured passes near, its square has none. With δ = ±(d − R), and R above
+    /// zero where d > R touches:
+    ///
+    /// ```text
+    /// (d² − R²)/2R = δ (1 + δ/2R)
+    /// ```
+    pub fn level(&self, at: &Kinematics, reading: &Reading) -> Level {
+        let (depth, rate) = (reading.penetration, reading.rate);
+        let radius = match &self.shape {
+            Shape::Journal(journal) => journal.clearance,
+            Shape::Stop(stop) if stop.way == Way::Apart => stop.side.sign() * stop.limit,
+            Shape::Edge(edge) => edge.bend(),
+            Shape::Stop(_) | Shape::Clasp(_) => 0.0,
+        };
+        let bend = if radius == 0.0 { 0.0 } else { depth / radius };
+        let rooms = self.edge().map(|edge| edge.level_rooms(at, reading));
+        Level {
+            value: depth * (1.0 + 0.5 * bend),
+            rate: rate * (1.0 + bend),
+            rooms: rooms.unwrap_or([f64::INFINITY; 2]),
+        }
+    }
+
     /// Its journal, where it is one in a bearing.
     pub fn journal(&self) -> Option<&Journal> {
         match &self.shape {

@@ -12,6 +12,8 @@ use crate::analysis::dynamics::flow::Sample;
 
 /// How often a course is halved until a part in which a guard may rise above zero is taken for one.
 const HALVINGS: usize = 10;
+/// Room that is more than any.
+const FAR: f64 = 1e100;
 /// Bernstein coefficients of what a straight is off by, in parts of the largest.
 const STRAIGHT: [f64; 5] = [0.0, 1.0, 4.0 / 3.0, 1.0, 0.0];
 /// The same of a cubic.
@@ -89,8 +91,8 @@ impl Quartic {
 pub struct Doubt {
     /// The value.
     pub value: f64,
-    /// The room.
-    pub room: f64,
+    /// The rooms.
+    pub rooms: [f64; 2],
     /// Whether the samples at the ends may be off, too.
     pub of_ends: [bool; 2],
 }
@@ -100,7 +102,7 @@ impl Doubt {
     pub fn max(self, other: Doubt) -> Doubt {
         Doubt {
             value: self.value.max(other.value),
-            room: self.room.max(other.room),
+            rooms: [0, 1].map(|k| self.rooms[k].max(other.rooms[k])),
             ..self
         }
     }
@@ -109,7 +111,7 @@ impl Doubt {
     pub fn times(self, factor: f64) -> Doubt {
         Doubt {
             value: factor * self.value,
-            room: factor * self.room,
+            rooms: self.rooms.map(|room| factor * room),
             ..self
         }
     }
@@ -117,8 +119,8 @@ impl Doubt {
     /// The coefficients of what it is off by, where in the middle it is off so much.
     fn coefficients(&self, inner: [f64; 5]) -> [f64; 5] {
         let [from, to] = self.of_ends.map(f64::from);
-        let ends = [from, from, 0.0, to, to];
-        [0, 1, 2, 3, 4].map(|k| inner[k].max(ends[k]))
+        let ends = [from, from, 0.5 * (from + to), to, to];
+        [0, 1, 2, 3, 4].map(|k| inner[k] + ends[k])
     }
 }
 
@@ -126,7 +128,8 @@ impl Doubt {
 #[derive(Debug, Clone, Copy)]
 pub struct Course {
     value: Quartic,
-    room: [f64; 2],
+    /// Both rooms, each at both ends.
+    rooms: [[f64; 2]; 2],
     /// The least rise of an event, by the width.
     least: f64,
     has_rate: bool,
@@ -134,39 +137,42 @@ pub struct Course {
 }
 
 impl Course {
-    /// Of samples that are this far apart.
-    pub fn new(from: &Sample, to: &Sample, width: f64) -> Self {
+    /// Of samples that are this far apart, of a guard of which a rate makes no event that is not above the least.
+    pub fn new([from, to]: [&Sample; 2], least: f64, width: f64) -> Self {
         let values = [from.value, to.value];
         let slopes = [from.rate * width, to.rate * width];
         let has_rate = !slopes.iter().any(|slope| slope.is_nan());
         // One that is not above zero can't be without a rise.
         let least = if from.value > 0.0 {
-            from.least
+            least
         } else {
-            from.least.max(0.0)
+            least.max(0.0)
         };
         Course {
             value: match has_rate {
                 true => Quartic::cubic(values, slopes),
                 false => Quartic::straight(values),
             },
-            room: [from.room, to.room].map(|room| room.min(f64::MAX)),
+            rooms: [0, 1].map(|k| [from.rooms[k], to.rooms[k]].map(|room| room.min(FAR))),
             least: least * width,
             has_rate,
             width,
         }
     }
 
+    /// Its value in a part x of it.
+    pub fn value_at(&self, x: f64) -> f64 {
+        self.value.at(x)[0]
+    }
+
     /// How far it is off by a sample in a part x of it.
     pub fn missed(&self, sample: &Sample, x: f64) -> Doubt {
         let product = x * (1.0 - x);
         let straight = 0.25 / product;
-        let room = self.room[0] + x * (self.room[1] - self.room[0]);
-        let room = if sample.room.is_finite() {
-            sample.room - room
-        } else {
-            0.0
-        };
+        let rooms = [0, 1].map(|k| {
+            let [from, to] = self.rooms[k];
+            straight * (sample.rooms[k].min(FAR) - from - x * (to - from)).abs()
+        });
         let [value, slope] = self.value.at(x);
         let off = (sample.value - value).abs();
         let value = match self.has_rate {
@@ -179,7 +185,7 @@ impl Course {
         };
         Doubt {
             value,
-            room: straight * room.abs(),
+            rooms,
             ..Doubt::default()
         }
     }
@@ -194,7 +200,7 @@ impl Course {
         };
         Doubt {
             value: power * own.value,
-            room: square * own.room,
+            rooms: own.rooms.map(|room| square * room),
             ..own
         }
     }
@@ -207,9 +213,10 @@ impl Course {
 
     /// The first part x from which on the guard may be above zero.
     pub fn first(&self, doubt: Doubt) -> Option<f64> {
-        let room = Quartic::straight(self.room).plus(doubt.room, doubt.coefficients(STRAIGHT));
+        let off = doubt.coefficients(STRAIGHT);
+        let room = |k: usize| Quartic::straight(self.rooms[k]).plus(doubt.rooms[k], off);
         let [low, high] = self.bounds(doubt);
-        first([low, high, room], self.least, HALVINGS)
+        first([low, high, room(0), room(1)], self.least, HALVINGS)
     }
 
     /// Where it is largest from x on; of a straight, that it is off there is to be measured: in the middle.
@@ -231,11 +238,12 @@ impl Course {
     }
 }
 
-/// The first part of a course, by its bounds and that of its room, in which it may come above zero.
-fn first(bounds: [Quartic; 3], least: f64, halvings: usize) -> Option<f64> {
-    let [low, high, room] = &bounds;
-    let is_out =
-        high.most() <= 0.0 || room.most() <= 0.0 || low.steepest().max(high.steepest()) <= least;
+/// The first part of a course, by its bounds and those of its rooms, in which it may come above zero.
+fn first(bounds: [Quartic; 4], least: f64, halvings: usize) -> Option<f64> {
+    let [low, high, rooms @ ..] = &bounds;
+    let is_out = high.most() <= 0.0
+        || rooms.iter().any(|room| room.most() <= 0.0)
+        || low.steepest().max(high.steepest()) <= least;
     if is_out || halvings == 0 {
         return (!is_out).then_some(0.0);
     }

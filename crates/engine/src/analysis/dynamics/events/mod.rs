@@ -37,13 +37,13 @@ impl Events {
             false => None,
         };
         let mut found = match seen {
-            Some(bracket) => nearer(step, bracket)?,
+            Some(bracket) => self.nearer(step, bracket)?,
             None => None,
         };
         // What is seen at the evaluations of a step may not be the first event in it.
         let until = found.map_or(step.to(), |(bracket, _)| bracket.low.time);
         if let Some(bracket) = self.0.first(step, until)? {
-            found = nearer(step, bracket)?;
+            found = self.nearer(step, bracket)?;
         }
         match found {
             Some((bracket, narrow)) => {
@@ -54,32 +54,45 @@ impl Events {
             None => Ok(None),
         }
     }
-}
 
-/// The first event between two times of the last step, which ends near it then, and how narrowly it is to be located.
-fn nearer(step: &mut LastStep, bracket: Bracket) -> Result<Option<(Bracket, f64)>, Fault> {
-    let (from, to) = (step.from(), step.to());
-    // Where joints meet depends on the instant at which they close.
-    let part = match step.flow.system().timed.is_empty() {
-        true => NARROW,
-        false => NARROWER,
-    };
-    let narrow = part * bracket.width();
-    let bracket = locate(
-        bracket,
-        ROUGH * BEYOND * (bracket.high.time - from),
-        |time| guard(step, time),
-    )?;
-    let beyond = |time: f64| from + (1.0 + BEYOND) * (time - from);
-    if beyond(bracket.high.time) >= to {
-        return Ok(Some((bracket, narrow)));
+    /// The first event between two times of the last step, which ends near it then, and how narrowly it is to be located.
+    fn nearer(
+        &mut self,
+        step: &mut LastStep,
+        bracket: Bracket,
+    ) -> Result<Option<(Bracket, f64)>, Fault> {
+        let (from, to) = (step.from(), step.to());
+        // Where joints meet depends on the instant at which they close.
+        let part = match step.flow.system().timed.is_empty() {
+            true => NARROW,
+            false => NARROWER,
+        };
+        let narrow = part * bracket.width();
+        let bracket = locate(
+            bracket,
+            ROUGH * BEYOND * (bracket.high.time - from),
+            |time| guard(step, time),
+        )?;
+        let beyond = |time: f64| from + (1.0 + BEYOND) * (time - from);
+        if beyond(bracket.high.time) >= to {
+            return Ok(Some((bracket, narrow)));
+        }
+        step.take_again(beyond(bracket.high.time))?;
+        let before = from + (1.0 - BEYOND) * (bracket.low.time - from);
+        let mut again = between(step, before, step.to())?;
+        if again.is_none() {
+            again = search(step)?;
+        }
+        // One that soon ends again is between these.
+        if again.is_none() {
+            again = between(step, before, bracket.high.time)?;
+        }
+        if again.is_none() {
+            again = self.0.first(step, step.to())?;
+        }
+        let narrow = narrow.min(part * (step.to() - from) / POINTS as f64);
+        Ok(again.map(|bracket| (bracket, narrow)))
     }
-    step.take_again(beyond(bracket.high.time))?;
-    let before = from + (1.0 - BEYOND) * (bracket.low.time - from);
-    let again =
-        between(step, before, step.to())?.map_or_else(|| search(step), |one| Ok(Some(one)))?;
-    let narrow = narrow.min(part * (step.to() - from) / POINTS as f64);
-    Ok(again.map(|bracket| (bracket, narrow)))
 }
 
 /// The largest guard at a time within the step.

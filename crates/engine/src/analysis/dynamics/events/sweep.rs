@@ -4,16 +4,20 @@
 //! each is followed by the cubic of its values and rates, by a straight where no rates are known; how far that may be off is
 //! measured at the samples beside and within ([`super::course`]). Where the bound is not above zero nothing happens. Elsewhere
 //! the mechanism is evaluated where the guard is largest, until each part is either shown to be free of events or has one.
-//! The guards of contacts that touch depend on forces: they are known at the evaluations alone.
+//!
+//! A formula may bend more sharply than the motion does: it is computed at some times between two evaluations from the courses
+//! of its arguments. The guards of contacts that touch depend on forces: they are known at the evaluations alone.
 
 use super::course::{Course, Doubt};
 use super::locate::{Bracket, Point};
 use crate::analysis::dynamics::fault::Fault;
-use crate::analysis::dynamics::flow::{Flow, Sample};
+use crate::analysis::dynamics::flow::{Flow, Mark, Sample};
 use crate::analysis::dynamics::steps::LastStep;
 
 /// Samples that are nearer to each other than this part of the step tell more of their own errors than of the course.
 const APART: f64 = 0.08;
+/// Parts between two evaluations at whose ends formulas are computed.
+const FINER: u32 = 8;
 /// What is measured at a few times may be larger between them.
 const SAFETY: f64 = 4.0;
 /// A part of a course is known at least so much better than the whole.
@@ -28,20 +32,48 @@ const DEEPEST: usize = 24;
 const INSIDE: f64 = 0.1;
 
 /// The guards at one time.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 struct Node {
     time: f64,
+    /// The largest of them, where the mechanism was evaluated for this.
     largest: f64,
     samples: Vec<Sample>,
+    levels: Vec<[f64; 2]>,
 }
 
-/// A guard that may be above zero in a part of the step.
+impl Node {
+    fn take(&mut self, mark: &Mark) {
+        self.time = mark.time;
+        self.samples.clear();
+        self.samples.extend_from_slice(mark.samples);
+        self.levels.clear();
+        self.levels.extend_from_slice(mark.levels);
+    }
+
+    fn point(&self) -> Point {
+        Point {
+            time: self.time,
+            value: self.largest,
+        }
+    }
+}
+
+/// A guard that may be above zero between two times.
 #[derive(Debug, Clone, Copy)]
 struct Open {
-    /// The part between this evaluation and the next.
-    part: usize,
     guard: usize,
+    from: f64,
+    to: f64,
+    least: f64,
     doubt: Doubt,
+}
+
+impl Open {
+    /// Its course between two evaluations.
+    fn course(&self, from: &Node, to: &Node) -> Course {
+        let samples = [from, to].map(|node| &node.samples[self.guard]);
+        Course::new(samples, self.least, to.time - from.time)
+    }
 }
 
 /// Looks through steps; it keeps its memory from one to the next.
@@ -50,6 +82,8 @@ pub struct Sweep {
     /// The first of them are the evaluations of the step, in the order of time.
     nodes: Vec<Node>,
     known: usize,
+    /// Times and samples of one guard.
+    series: Vec<(f64, Sample)>,
     opens: Vec<Open>,
     /// Evaluations that the step has taken.
     taken: usize,
@@ -64,12 +98,30 @@ impl Sweep {
         self.taken = 0;
         self.gather(step.flow, (step.from(), step.to()));
         self.opens.clear();
+        let contacts = step.flow.system().contacts.len();
+        let mut first_argument = 0;
         for guard in 0..step.flow.system().guards() {
+            let formula = step
+                .flow
+                .system()
+                .formulas
+                .get(guard.wrapping_sub(contacts));
+            let arguments = formula.map_or(0, |formula| formula.arguments.len());
             if self.may_rise(guard) {
-                self.open(guard, until);
+                self.follow(guard);
+                if formula.is_some() {
+                    self.follow_finer(
+                        step.flow,
+                        guard - contacts,
+                        first_argument..first_argument + arguments,
+                    );
+                }
+                self.open(guard, step.flow.least_rate(guard), until);
             }
+            first_argument += arguments;
         }
-        self.opens.sort_by_key(|open| open.part);
+        self.opens
+            .sort_by(|one, other| one.from.total_cmp(&other.from));
         let opens = std::mem::take(&mut self.opens);
         let found = self.through(step, &opens, until);
         self.opens = opens;
@@ -87,13 +139,17 @@ impl Sweep {
         opens: &[Open],
         until: f64,
     ) -> Result<Option<Bracket>, Fault> {
-        for group in opens.chunk_by(|one, other| one.part == other.part) {
-            let part = group[0].part;
-            let [low, high] = [part, part + 1].map(|node| self.nodes[node].time.min(until));
-            if low >= high {
+        let mut ends: [Node; 2] = Default::default();
+        for group in opens.chunk_by(|one, other| one.from == other.from && one.to == other.to) {
+            let times = [group[0].from, group[0].to].map(|time| time.min(until));
+            if times[0] >= times[1] {
                 break;
             }
-            let ends = [self.exactly(step, low)?, self.exactly(step, high)?];
+            for (end, time) in ends.iter_mut().zip(times) {
+                if end.samples.is_empty() || end.time != time {
+                    *end = self.exactly(step, time)?;
+                }
+            }
             let exact = |open: &Open| {
                 let of_ends = [false; 2];
                 let doubt = Doubt {
@@ -106,6 +162,7 @@ impl Sweep {
             if let Some(bracket) = self.descend(step, [&ends[0], &ends[1]], &group, DEEPEST)? {
                 return Ok(Some(bracket));
             }
+            ends.swap(0, 1);
         }
         Ok(None)
     }
@@ -113,7 +170,8 @@ impl Sweep {
     /// Takes the evaluations of the step, without those that are too near to others.
     fn gather(&mut self, flow: &Flow, (from, to): (f64, f64)) {
         self.known = 0;
-        for (time, largest, samples) in flow.evaluations(from, to) {
+        for mark in flow.evaluations(from, to) {
+            let time = mark.time;
             let is_end = time == from || time == to;
             let apart = if is_end { 0.0 } else { APART * (to - from) };
             let is_near = |node: &Node| (node.time - time).abs() <= apart;
@@ -122,17 +180,9 @@ impl Sweep {
                 continue;
             }
             if self.known == self.nodes.len() {
-                let samples = Vec::with_capacity(samples.len());
-                self.nodes.push(Node {
-                    time,
-                    largest,
-                    samples,
-                });
+                self.nodes.push(Node::default());
             }
-            let node = &mut self.nodes[self.known];
-            (node.time, node.largest) = (time, largest);
-            node.samples.clear();
-            node.samples.extend_from_slice(samples);
+            self.nodes[self.known].take(&mark);
             self.known += 1;
         }
         self.nodes[..self.known].sort_by(|one, other| one.time.total_cmp(&other.time));
@@ -142,7 +192,7 @@ impl Sweep {
     fn may_rise(&self, guard: usize) -> bool {
         let nodes = &self.nodes[..self.known];
         let mut most = f64::NEG_INFINITY;
-        let (mut farthest, mut roomiest) = (0.0_f64, f64::NEG_INFINITY);
+        let mut farthest = 0.0_f64;
         for pair in nodes.windows(2) {
             let [one, other] = [&pair[0], &pair[1]].map(|node| &node.samples[guard]);
             let width = pair[1].time - pair[0].time;
@@ -152,41 +202,68 @@ impl Sweep {
                 .max(steep)
                 .max(2.0 * (other.value - one.value).abs());
             most = most.max(one.value).max(other.value);
-            roomiest = roomiest.max(one.room).max(other.room);
         }
         most > f64::NEG_INFINITY && (most + farthest > 0.0 || nodes.len() < 3)
     }
 
-    /// The parts of the step in which a guard may be above zero before a time at which none is.
-    fn open(&mut self, guard: usize, until: f64) {
-        let nodes = &self.nodes[..self.known];
+    /// Takes the samples of a guard.
+    fn follow(&mut self, guard: usize) {
+        self.series.clear();
+        let nodes = self.nodes[..self.known].iter();
+        let samples = nodes.map(|node| (node.time, node.samples[guard]));
+        self.series.extend(samples);
+    }
+
+    /// Adds what a formula is between the evaluations, by the courses of its arguments.
+    fn follow_finer(&mut self, flow: &Flow, formula: usize, arguments: std::ops::Range<usize>) {
+        let mut levels = [0.0; crate::element::formula::MOST_ARGUMENTS];
+        for pair in self.nodes[..self.known].windows(2) {
+            let width = pair[1].time - pair[0].time;
+            let [from, to] = [&pair[0], &pair[1]].map(|node| &node.levels[arguments.clone()]);
+            for part in 1..FINER {
+                let x = f64::from(part) / f64::from(FINER);
+                for (level, (from, to)) in levels.iter_mut().zip(from.iter().zip(to)) {
+                    let ends = [from, to].map(|[value, rate]| Sample {
+                        rate: *rate,
+                        ..Sample::of(*value)
+                    });
+                    *level = Course::new([&ends[0], &ends[1]], 0.0, width).value_at(x);
+                }
+                let guard = flow.guard_at(formula, &levels[..arguments.len()]);
+                self.series
+                    .push((pair[0].time + x * width, Sample::of(guard)));
+            }
+        }
+        self.series.sort_by(|one, other| one.0.total_cmp(&other.0));
+    }
+
+    /// Notes the parts of the step in which the guard at hand may be above zero before a time at which none is.
+    fn open(&mut self, guard: usize, least: f64, until: f64) {
+        let series = &self.series;
         let course = |from: usize, to: usize| {
-            let [from, to] = [&nodes[from], &nodes[to]];
-            Course::new(
-                &from.samples[guard],
-                &to.samples[guard],
-                to.time - from.time,
-            )
+            let [(from, one), (to, other)] = [&series[from], &series[to]];
+            Course::new([one, other], least, to - from)
         };
         let unknown = Doubt {
             value: UNKNOWN,
-            room: UNKNOWN,
+            rooms: [UNKNOWN; 2],
             ..Doubt::default()
         };
-        // What the part is off by the evaluation at one of its ends, in the course between the two beside it.
-        let by = |node: usize, width: f64| {
-            if node == 0 || node + 1 >= nodes.len() {
+        // What the part is off by the sample at one of its ends, in the course between the two beside it.
+        let by = |index: usize, width: f64| {
+            if index == 0 || index + 1 >= series.len() {
                 return None;
             }
-            let around = course(node - 1, node + 1);
-            let whole = nodes[node + 1].time - nodes[node - 1].time;
-            let x = (nodes[node].time - nodes[node - 1].time) / whole;
-            let missed = around.missed(&nodes[node].samples[guard], x);
+            let around = course(index - 1, index + 1);
+            let whole = series[index + 1].0 - series[index - 1].0;
+            let x = (series[index].0 - series[index - 1].0) / whole;
+            let missed = around.missed(&series[index].1, x);
             Some(around.doubt(missed, width / whole).times(SAFETY))
         };
-        let parts = nodes.len().saturating_sub(1);
+        let parts = series.len().saturating_sub(1);
         for part in 0..parts {
-            let width = nodes[part + 1].time - nodes[part].time;
+            let [from, to] = [part, part + 1].map(|index| series[index].0);
+            let width = to - from;
             let mut doubt = match (by(part, width), by(part + 1, width)) {
                 (Some(one), Some(other)) => one.max(other),
                 (one, other) => one.or(other).unwrap_or(unknown),
@@ -194,9 +271,15 @@ impl Sweep {
             doubt.of_ends = [part > 0, part + 1 < parts];
             let course = course(part, part + 1);
             // What rises up to a time at which it is not above zero was not so before.
-            let is_last = nodes[part + 1].time >= until;
+            let is_last = to >= until;
             if course.first(doubt).is_some() && !(is_last && course.rises(doubt)) {
-                self.opens.push(Open { part, guard, doubt });
+                self.opens.push(Open {
+                    guard,
+                    from,
+                    to,
+                    least,
+                    doubt,
+                });
             }
             if is_last {
                 break;
@@ -214,6 +297,7 @@ impl Sweep {
             time,
             largest,
             samples,
+            levels: Vec::new(),
         })
     }
 
@@ -226,24 +310,19 @@ impl Sweep {
         depth: usize,
     ) -> Result<Option<Bracket>, Fault> {
         let width = to.time - from.time;
-        let course = |guard: usize| Course::new(&from.samples[guard], &to.samples[guard], width);
-        let is_open = |open: &&Open| course(open.guard).first(open.doubt).is_some();
+        let is_open = |open: &&Open| open.course(from, to).first(open.doubt).is_some();
         let opens: Vec<Open> = opens.iter().filter(is_open).copied().collect();
         let early = opens.iter().filter_map(|open| {
-            let course = course(open.guard);
+            let course = open.course(from, to);
             Some((course.first(open.doubt)?, course))
         });
-        let Some((x, first)) = early.reduce(|one, other| if other.0 < one.0 { other } else { one })
-        else {
+        let early = early.reduce(|one, other| if other.0 < one.0 { other } else { one });
+        let Some((x, first)) = early else {
             return Ok(None);
         };
-        let ends = [from, to].map(|node| Point {
-            time: node.time,
-            value: node.largest,
-        });
-        let [low, high] = ends;
+        let [low, high] = [from.point(), to.point()];
         let bracket = (high.value > 0.0 && low.value <= 0.0).then_some(Bracket { low, high });
-        let rises = |open: &Open| course(open.guard).rises(open.doubt);
+        let rises = |open: &Open| open.course(from, to).rises(open.doubt);
         if depth == 0 || (bracket.is_some() && opens.iter().all(rises)) {
             return Ok(bracket);
         }
@@ -257,7 +336,7 @@ impl Sweep {
         let middle = self.exactly(step, from.time + x * width)?;
         let of = |part: f64| {
             let known = |open: &Open| {
-                let course = course(open.guard);
+                let course = open.course(from, to);
                 let missed = course.missed(&middle.samples[open.guard], x).times(SAFETY);
                 let doubt = course.doubt(missed, part).max(open.doubt.times(BETTER));
                 Open { doubt, ..*open }
@@ -268,11 +347,8 @@ impl Sweep {
         if before.is_some() {
             return Ok(before);
         }
-        if middle.largest > 0.0 {
-            let high = Point {
-                time: middle.time,
-                value: middle.largest,
-            };
+        let high = middle.point();
+        if high.value > 0.0 {
             return Ok((low.value <= 0.0).then_some(Bracket { low, high }));
         }
         self.descend(step, [&middle, to], &of(1.0 - x), depth - 1)

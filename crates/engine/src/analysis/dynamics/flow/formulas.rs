@@ -43,6 +43,13 @@ impl Flow<'_> {
         guards.fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// The guard of a formula where its arguments have these levels.
+    pub fn guard_at(&self, formula: usize, levels: &[f64]) -> f64 {
+        let system = self.system();
+        let sides = &self.equations.inputs.sides;
+        system.formulas[formula].beyond_at(levels, sides, &system.kinks) - PAST
+    }
+
     /// Whether a cam comes to another stretch of its law at the point of the last evaluation.
     pub fn turns_over(&self) -> bool {
         self.has_kinks() && self.cam_guard() > STILL_PAST - PAST
@@ -72,6 +79,19 @@ impl Flow<'_> {
 fn beyond(equations: &Reduced, formula: usize) -> f64 {
     let (system, inputs) = (equations.system(), &equations.inputs);
     equations.evaluation().beyond(system, inputs, formula) - PAST
+}
+
+/// The levels of the formulas' arguments at the point of the last evaluation, one formula's after the other's.
+pub(super) fn levels(equations: &Reduced, mut levels: &mut [[f64; 2]]) {
+    let (system, at) = (equations.system(), equations.kinematics());
+    if levels.is_empty() {
+        return;
+    }
+    for formula in &system.formulas {
+        let (own, others) = levels.split_at_mut(formula.arguments.len());
+        formula.levels(&at, own);
+        levels = others;
+    }
 }
 
 /// The largest guard of formulas and cams whose sides are held, at the point of the last evaluation, with a sample of each.

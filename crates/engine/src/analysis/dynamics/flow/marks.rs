@@ -2,28 +2,23 @@
 
 use super::Flow;
 use super::formulas::sample_sides;
-use crate::analysis::dynamics::modes::creep;
-use crate::element::pair::{Contact, Pair, Phase, Reading, Surface};
-use crate::system::Scale;
+use crate::analysis::dynamics::modes::{GONE, creep};
+use crate::element::pair::{Phase, Reading, Surface};
 
 /// Evaluations remembered: those of one step of any method are among them.
-const REMEMBERED: usize = 32;
-/// Those of these last ones that are within a step are its own, or of a longer one before it.
-const LAST: usize = 24;
+const REMEMBERED: usize = 24;
 /// Penetration, in parts of the mechanism, that round-off may make.
 const GRAZE: f64 = 1e-12;
 
-/// A guard at one time, by what it is the least of; each is smooth within a step.
+/// A guard at one time, by functions that are smooth within a step, above zero together where it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
-    /// The guard itself; δ of a contact in flight \[m\].
+    /// The guard itself; of a contact in flight its level \[m\].
     pub value: f64,
-    /// Its rate; NaN where that is not known.
+    /// The rate of that; NaN where it is not known.
     pub rate: f64,
     /// How far a contact in flight is from where its surface ends \[m\]; infinite of all others.
-    pub room: f64,
-    /// A rate that is not above this makes no event, of a guard that comes above zero only where it rises.
-    pub least: f64,
+    pub rooms: [f64; 2],
 }
 
 impl Sample {
@@ -32,37 +27,13 @@ impl Sample {
         Sample {
             value,
             rate: f64::NAN,
-            room: f64::INFINITY,
-            least: 0.0,
+            rooms: [f64::INFINITY; 2],
         }
     }
 
     /// Of a guard that is looked at where the mechanism is evaluated, and nowhere between.
     pub fn never() -> Self {
         Sample::of(f64::NEG_INFINITY)
-    }
-
-    /// Of a contact.
-    pub fn of_contact(
-        scale: &Scale,
-        (pair, memory): (&Pair, &Contact),
-        reading: &Reading,
-        guard: f64,
-    ) -> Self {
-        match memory.phase {
-            Phase::Flight if pair.is_one_way() || pair.is_timed() => Sample::never(),
-            Phase::Flight => Sample {
-                value: reading.penetration - GRAZE * scale.length,
-                rate: reading.rate,
-                room: reading.room - GRAZE * scale.length,
-                least: match pair.surface {
-                    Surface::Rigid(_) => creep(scale),
-                    Surface::Compliant(_) => f64::NEG_INFINITY,
-                },
-            },
-            Phase::Behind => Sample::of(guard),
-            Phase::Contact | Phase::Released => Sample::never(),
-        }
     }
 }
 
@@ -75,23 +46,33 @@ pub(super) struct Marks {
     /// Those of each guard, evaluation by evaluation.
     samples: Vec<Sample>,
     guards: usize,
+    /// Levels of the arguments of each formula, evaluation by evaluation.
+    levels: Vec<[f64; 2]>,
+    arguments: usize,
 }
 
 impl Marks {
-    /// None yet, of so many guards.
-    pub fn new(guards: usize) -> Self {
+    /// None yet, of so many guards and arguments of formulas.
+    pub fn new([guards, arguments]: [usize; 2]) -> Self {
         Marks {
             marks: [(f64::NEG_INFINITY, f64::NEG_INFINITY); REMEMBERED],
             next: 0,
             since: 0,
             samples: vec![Sample::never(); REMEMBERED * guards],
             guards,
+            levels: vec![[0.0; 2]; REMEMBERED * arguments],
+            arguments,
         }
     }
 
     /// The samples of an evaluation that is noted next.
     pub fn samples_mut(&mut self) -> &mut [Sample] {
         &mut self.samples[self.next * self.guards..][..self.guards]
+    }
+
+    /// The levels of the formulas' arguments there.
+    pub fn levels_mut(&mut self) -> &mut [[f64; 2]] {
+        &mut self.levels[self.next * self.arguments..][..self.arguments]
     }
 
     /// An evaluation, and the largest of its guards.
@@ -113,27 +94,37 @@ impl Marks {
 
     /// Whether one within (from, to] has passed an event.
     pub fn has_passed(&self, from: f64, to: f64) -> bool {
-        self.newest().take(LAST).any(|index| {
+        self.newest().any(|index| {
             let (t, guard) = self.marks[index];
             t > from && t <= to && guard > 0.0
         })
     }
 
-    /// The evaluations of the step from one time to another, with the largest guard and all samples of each, the last one first,
-    /// and that of its beginning. Those of a longer step that was rejected stand before one beyond its end.
-    pub fn of_step(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64, &[Sample])> {
+    /// The evaluations of the step from one time to another, the last one first, and that of its beginning. Those of a longer step
+    /// that was rejected stand before one beyond its end.
+    pub fn of_step(&self, from: f64, to: f64) -> impl Iterator<Item = Mark<'_>> {
         let time = |index: &usize| self.marks[*index].0;
         let own = self.newest().take(self.since);
         let own = own.take_while(move |index| time(index) <= to);
         let before = self.newest().skip(self.since);
         let beginning = before.filter(move |index| time(index) == from).take(1);
         let all = own.filter(move |index| time(index) >= from);
-        all.chain(beginning).map(|index| {
-            let (time, largest) = self.marks[index];
-            let samples = &self.samples[index * self.guards..][..self.guards];
-            (time, largest, samples)
+        all.chain(beginning).map(|index| Mark {
+            time: self.marks[index].0,
+            samples: &self.samples[index * self.guards..][..self.guards],
+            levels: &self.levels[index * self.arguments..][..self.arguments],
         })
     }
+}
+
+/// What is known of an evaluation.
+pub struct Mark<'a> {
+    /// When \[s\].
+    pub time: f64,
+    /// A sample of each guard.
+    pub samples: &'a [Sample],
+    /// The levels of the arguments of all formulas.
+    pub levels: &'a [[f64; 2]],
 }
 
 impl<'s> Flow<'s> {
@@ -142,9 +133,8 @@ impl<'s> Flow<'s> {
         self.marks.begin_step();
     }
 
-    /// The evaluations of the last step, from one time to another, the last one first: the time, the largest guard, and a sample
-    /// of each guard.
-    pub fn evaluations(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64, &[Sample])> {
+    /// The evaluations of the last step, from one time to another, the last one first.
+    pub fn evaluations(&self, from: f64, to: f64) -> impl Iterator<Item = Mark<'_>> {
         self.marks.of_step(from, to)
     }
 
@@ -161,15 +151,36 @@ impl<'s> Flow<'s> {
         largest
     }
 
-    /// A contact with this reading and guard; one without a guard has no sample.
+    /// A contact with this reading and guard. One that touches has no sample.
     pub(super) fn sample_contact(&self, contact: usize, reading: &Reading, guard: f64) -> Sample {
-        let (system, memory) = (self.system(), &self.memories()[contact]);
-        match guard > f64::NEG_INFINITY {
-            true => {
-                let pair = &system.contacts[contact];
-                Sample::of_contact(&system.scale, (pair, memory), reading, guard)
+        let system = self.system();
+        let pair = &system.contacts[contact];
+        match self.memories()[contact].phase {
+            _ if guard == f64::NEG_INFINITY => Sample::never(),
+            Phase::Flight if pair.is_one_way() || pair.is_timed() => Sample::never(),
+            Phase::Flight => {
+                let level = pair.level(&self.equations.kinematics(), reading);
+                let graze = GRAZE * system.scale.length;
+                Sample {
+                    value: level.value - graze,
+                    rate: level.rate,
+                    rooms: level.rooms.map(|room| room + GONE * pair.size() - graze),
+                }
             }
-            false => Sample::never(),
+            Phase::Behind => Sample::of(guard),
+            Phase::Contact | Phase::Released => Sample::never(),
+        }
+    }
+
+    /// A rate of a guard that is not above this makes no event.
+    pub fn least_rate(&self, guard: usize) -> f64 {
+        let system = self.system();
+        let surface = system.contacts.get(guard).map(|pair| &pair.surface);
+        let is_flying = |guard: usize| self.memories()[guard].phase == Phase::Flight;
+        match surface {
+            Some(Surface::Rigid(_)) if is_flying(guard) => creep(&system.scale),
+            Some(Surface::Compliant(_)) if is_flying(guard) => f64::NEG_INFINITY,
+            _ => 0.0,
         }
     }
 

@@ -16,9 +16,9 @@ use crate::mechanism::driven::Failure;
 use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
 use crate::system::System;
-use formulas::sample_sides;
+use formulas::{levels, sample_sides};
 use marks::Marks;
-pub use marks::Sample;
+pub use marks::{Mark, Sample};
 use sustained::{Grip, Sustained};
 
 /// Components of a ledger that is short.
@@ -68,7 +68,7 @@ impl<'s> Flow<'s> {
                 .any(|driver| !driver.law.is_constant()),
             refusal: None,
             lambda: vec![0.0; system.m()],
-            marks: Marks::new(system.guards()),
+            marks: Marks::new([system.guards(), system.kinked_arguments()]),
             shifts: Vec::with_capacity(4),
         }
     }
@@ -238,6 +238,7 @@ impl<'s> Flow<'s> {
         if !self.sustained.is_empty() {
             self.eval_ledger(t, dy);
         } else if self.has_kinks() {
+            levels(&self.equations, self.marks.levels_mut());
             let largest = sample_sides(&self.equations, self.marks.samples_mut());
             self.marks.note(t, largest);
         }
@@ -260,6 +261,7 @@ impl<'s> Flow<'s> {
             }
         }
         dy[self.layout.work()] = power;
+        levels(&self.equations, self.marks.levels_mut());
         let sides = &mut self.marks.samples_mut()[system.contacts.len()..];
         let mut largest = sample_sides(&self.equations, sides);
         for contact in 0..system.contacts.len() {
