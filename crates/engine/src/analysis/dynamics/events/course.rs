@@ -219,22 +219,27 @@ impl Course {
         first([low, high, room(0), room(1)], self.least, HALVINGS)
     }
 
-    /// Where it is largest from x on; of a straight, that it is off there is to be measured: in the middle.
+    /// Where it is largest, with room, from x on; of a straight, that it is off there is to be measured: in the middle.
     pub fn summit(&self, x: f64) -> f64 {
         if !self.has_rate {
             return 0.5;
         }
         let parts = 1 << 5;
         let places = (0..=parts).map(|part| x + (1.0 - x) * f64::from(part) / f64::from(parts));
-        let value = |x: &f64| self.value.at(*x)[0];
+        let value = |x: &f64| {
+            let rooms = self.rooms.map(|[from, to]| from + x * (to - from));
+            self.value.at(*x)[0].min(rooms[0]).min(rooms[1])
+        };
         let highest = places.max_by(|a, b| value(a).total_cmp(&value(b)));
         highest.unwrap_or(0.5)
     }
 
-    /// Whether it rises all the way.
+    /// Whether it rises all the way, with room: the guard is above zero from one time on, where it is so at the end.
     pub fn rises(&self, doubt: Doubt) -> bool {
+        let mut rooms = self.rooms.iter().zip(doubt.rooms);
+        let has_room = rooms.all(|(ends, doubt)| ends.iter().all(|room| *room > 2.0 * doubt));
         let rises = |bound: Quartic| bound.slopes().iter().all(|slope| *slope > 0.0);
-        self.bounds(doubt).into_iter().all(rises)
+        has_room && self.bounds(doubt).into_iter().all(rises)
     }
 }
 
