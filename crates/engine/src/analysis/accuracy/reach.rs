@@ -15,18 +15,14 @@ mod between;
 mod bordered;
 mod pressed;
 
-use super::answer::frames;
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
 use super::search::SILENT;
 use super::source::Influence;
-use super::turn::Turn;
 use super::worst::Farthest;
 pub(super) use between::Between;
 pub(super) use bordered::{Bordered, Held};
 
-/// At last so many corrections of one solution may grow, as deviations go to other ends.
-const GROWTHS: usize = 2;
 /// First deviations that are tried, in radians or sizes: with too small a one the gaps are round-off.
 const FIRST: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
 /// Largest step of the deviation, in radians or sizes.
@@ -64,10 +60,8 @@ pub(super) struct Displaced {
     pub ahead: Vec<f64>,
     /// Whether the self-stress presses the other way than at the nominal position: as if c were less than 0.
     pub is_turned: bool,
-    /// The deviations, whole, …
+    /// The deviations, whole.
     pub extremes: Vec<Influence>,
-    /// … and of those that give way how they do.
-    pub turns: Vec<Turn>,
     /// How far off the guess was from which it was found, [–]; 0 where that says nothing.
     pub off: f64,
     /// Whether the deviations were where the load presses them, and not kept where they flickered.
@@ -109,9 +103,8 @@ impl Mechanism<'_> {
 impl Bordered<'_, '_> {
     fn run(&mut self) -> Option<Farthest> {
         // What has no influence is best left in the middle, but beside a change point it may get one.
-        let tries = [(SILENT, 0), (0.0, 0), (SILENT, GROWTHS)];
-        tries.into_iter().find_map(|(still, growths)| {
-            (self.still, self.growths) = (still, growths);
+        [SILENT, 0.0].into_iter().find_map(|still| {
+            self.still = still;
             self.attempt()
         })
     }
@@ -121,7 +114,7 @@ impl Bordered<'_, '_> {
         for first in FIRST {
             let mut trail = vec![self.start()?];
             let found = self.march(&mut trail, first * self.unit);
-            if found.is_some() || (trail.len() > 1 && self.growths == 0) {
+            if found.is_some() || trail.len() > 1 {
                 return found;
             }
         }
@@ -160,8 +153,7 @@ impl Bordered<'_, '_> {
                 Self::off(now, &next, guessed)
             };
             let is_narrow = step <= NARROW * self.unit || between.is_narrow();
-            // Where corrections may grow, the position may be one that was not guessed.
-            let is_astray = self.growths == 0 && next.off > ASTRAY * way;
+            let is_astray = next.off > ASTRAY * way;
             if !is_first && !is_narrow && (off > LOST || is_astray) {
                 step *= SHORTER;
                 continue;
@@ -175,7 +167,9 @@ impl Bordered<'_, '_> {
                 return Some(Farthest {
                     deviation: reached.y,
                     needed: self.needed(trail),
-                    frames: frames(self.mechanism.driven.system, &reached.q),
+                    q: reached.q,
+                    e: reached.extremes,
+                    lacks: f64::NAN,
                 });
             }
             // Beside a change point c falls again towards the other branch, which the clearance then lets in.

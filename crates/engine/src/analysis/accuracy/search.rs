@@ -2,7 +2,7 @@
 //!
 //! With the pins pressed, and all else at its ends, where the influences at the nominal position say, and displaced to first order.
 //! Along a stroke what comes to that goes on smoothly, on a parabola through the last three poses: of q, λ and g what is beyond
-//! the first order, and the places of sources between their ends.
+//! the first order.
 
 use super::chosen::Chosen;
 use super::displaced::{Mechanism, Space, Stand};
@@ -48,12 +48,10 @@ struct Past {
     /// \[s\]
     time: f64,
     beyond: Beyond,
-    /// e of the plays.
-    places: Vec<Influence>,
 }
 
 /// What a farthest deviation was beyond its first order, in one row so that parabolas are quick: coordinates (n), multipliers (m),
-/// and the influences that these do not tell.
+/// and influences.
 #[derive(Debug, Clone)]
 struct Beyond {
     numbers: Vec<f64>,
@@ -95,7 +93,7 @@ impl Search {
             past: Vec::with_capacity(KEPT),
             weights: [0.0; KEPT],
             ahead: Beyond {
-                numbers: vec![0.0; n + m + mechanism.sorted.untold()],
+                numbers: vec![0.0; n + m + 2 * plays],
                 begins: [n, n + m],
             },
         }
@@ -147,21 +145,14 @@ impl Search {
         let sources = (&mechanism.sorted, mechanism.plays);
         if !self.is_led {
             let asked = (influences, self.side);
-            return self.chosen.begin(sources, asked, -1.0, |_| None);
+            return self.chosen.begin(sources, asked, -1.0);
         }
-        let beyond = (self.ahead.lambda(), self.ahead.influences());
-        mechanism.sorted.differ(beyond, influences, g);
-        let each = self.past.iter().zip(self.weights);
-        let place = |play: usize| {
-            let places = each.clone();
-            Some(
-                places
-                    .map(|(past, weight)| weight * past.places[play][0])
-                    .sum(),
-            )
-        };
+        let beyond = self.ahead.influences().as_chunks().0;
+        for (g, (near, [x, y])) in g.iter_mut().zip(influences.iter().zip(beyond)) {
+            *g = [near[0] + x, near[1] + y];
+        }
         let still = SILENT * first.abs();
-        self.chosen.begin(sources, (g, self.side), still, place);
+        self.chosen.begin(sources, (g, self.side), still);
     }
 
     /// Keeps what was found, the mechanism displaced to first order (n) for the same deviations.
@@ -178,18 +169,16 @@ impl Search {
             Past {
                 time,
                 beyond: self.ahead.clone(),
-                places: self.chosen.extremes.clone(),
             }
         };
         past.time = time;
-        past.places.copy_from_slice(&self.chosen.extremes);
         let [begin, middle] = past.beyond.begins;
         let (q, others) = past.beyond.numbers.split_at_mut(begin);
         less(&self.q, first, q);
-        let (lambda, untold) = others.split_at_mut(middle - begin);
+        let (lambda, beyond) = others.split_at_mut(middle - begin);
         less(&self.load.lambda, &load.lambda, lambda);
-        let g = &mechanism.space.influences;
-        mechanism.sorted.differences(g, influences, untold);
+        let g = mechanism.space.influences.as_flattened();
+        less(g, influences.as_flattened(), beyond);
         self.past.insert(0, past);
     }
 }
@@ -267,7 +256,7 @@ impl Mechanism<'_> {
     }
 }
 
-fn add(own: &mut [f64], more: &[f64]) {
+pub(super) fn add(own: &mut [f64], more: &[f64]) {
     own.iter_mut()
         .zip(more)
         .for_each(|(own, more)| *own += more);

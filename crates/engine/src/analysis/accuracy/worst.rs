@@ -11,20 +11,22 @@
 //! y ≈ y(q) − λᵀ (φ(q) + e)
 //! ```
 //!
-//! which is off by the square of what q and λ lack, so that two corrections suffice for most. A stationary output is no
-//! proof; see `enclosure` for one.
+//! which is off by the square of what q and λ lack, so that two corrections suffice for most. Where they settle, what the output
+//! bends by is less than what the sources do, and the place is a maximum of all that are near; where not, `climb` goes on. A
+//! stationary output is no proof that there is no farther one; see `enclosure` for that.
 
-use super::answer::frames_at;
 use super::chosen::{Gain, Worth};
+use super::climb::Climb;
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::{Load, Output};
-use super::search::Search;
-use super::source::Influence;
+use super::search::{Search, add};
+use super::source::{Influence, Play};
 
 /// Most corrections.
-const MOST_PASSES: usize = 60;
-/// Corrections that shrink less than this are left to [`super::reach`].
+const MOST_PASSES: usize = 20;
+/// Corrections that shrink less than this, so often, are left to [`super::climb`].
 const SLOW: f64 = 0.5;
+const MOST_SLOW: usize = 3;
 /// Corrections below this, in radians or sizes, that shrink no more are round-off.
 const STALLED: f64 = 1e-11;
 /// Other deviations of a source are tried where they gain more than this part of the output's.
@@ -43,8 +45,11 @@ const ROUND_OFF: f64 = 2e-16;
 pub(super) struct Farthest {
     /// Deviation of the output [rad or m].
     pub deviation: f64,
-    /// Frames of the moving bodies there.
-    pub frames: Vec<[f64; 3]>,
+    /// Coordinates there (n), and e of the plays.
+    pub q: Vec<f64>,
+    pub e: Vec<Influence>,
+    /// What the sources could still gain, to first order; NaN where that is not known.
+    pub lacks: f64,
     /// On the way there: deviations with the share of the sources that each needs; empty where they were not followed.
     pub needed: Vec<[f64; 2]>,
 }
@@ -86,7 +91,64 @@ impl Mechanism<'_> {
         std::mem::swap(&mut self.chosen, &mut search.chosen);
         let found = self.settle(stand, output, nominal, search);
         std::mem::swap(&mut self.chosen, &mut search.chosen);
-        found
+        // Where an output turns back, deviations may be stationary that go less far than none at all.
+        let [own, first] = [1.0, search.deviation].map(|of| of * search.side);
+        let goes = |found: &Farthest| found.deviation * own >= 0.0 || first < 0.0;
+        found.filter(goes)
+    }
+
+    /// The same by steps that gain, on from a place that was `found`, else from the nominal position, with the influences there.
+    /// The factors are those of the pose again.
+    pub fn farther(
+        &mut self,
+        stand: &Stand,
+        output: &Output,
+        (nominal, influences): (f64, Option<&[Influence]>),
+        (side, found): (f64, Option<Farthest>),
+    ) -> Option<Farthest> {
+        let rest = self.rest();
+        let from = found.as_ref().map(|found| (&*found.q, &*found.e));
+        let (q, e) = from.unwrap_or((&stand.q, &rest));
+        let mut climb = Climb {
+            mechanism: self,
+            stand,
+            output,
+            side,
+            nominal,
+            influences,
+        };
+        let top = climb.from(q, e);
+        self.stand(stand);
+        let Some((top, lacks)) = top else {
+            return found;
+        };
+        let mut needed = found.map_or_else(Vec::new, |found| found.needed);
+        if let Some([reached, _]) = needed.last_mut() {
+            *reached = top.y;
+        }
+        Some(Farthest {
+            deviation: top.y,
+            q: top.q,
+            e: top.e,
+            lacks,
+            needed,
+        })
+    }
+
+    /// Whether no source is worth a try at another side; the influences are those last asked for.
+    pub fn is_plain(&self, side: f64, nominal: Option<&[Influence]>, found: &Farthest) -> bool {
+        let g = &self.space.influences;
+        let asked = |nominal| self.doubtful((g, side), nominal, found.deviation);
+        nominal.is_some_and(|nominal| asked(nominal).is_empty())
+    }
+
+    /// The e that are nearest to none.
+    fn rest(&self) -> Vec<Influence> {
+        let none = |play: &Play| {
+            let ends = play.ends().unwrap_or_default();
+            [0.0_f64.clamp(ends[0], ends[1]), 0.0]
+        };
+        self.plays.iter().map(none).collect()
     }
 
     fn settle(
@@ -105,17 +167,13 @@ impl Mechanism<'_> {
             still: STILL * search.deviation.abs(),
         };
         search.began.copy_from_slice(&search.q);
-        let (mut slow, mut is_kept, mut gained) = (0, false, f64::INFINITY);
+        let (mut slow, mut gained) = (0, f64::INFINITY);
         let (mut size, mut is_moved) = (if is_led { f64::INFINITY } else { far }, false);
-        for pass in 1..MOST_PASSES {
+        for _ in 1..MOST_PASSES {
             self.take(&search.q, stand);
             self.place(stand);
             let leant = self.rebalance(stand, output, &mut search.load);
-            // What has hardly an influence may flicker from side to side; then all keep theirs.
-            let mut gain = Gain::default();
-            if !is_kept {
-                gain = self.press(stand, output, &search.load, (search.side, worth))?;
-            }
+            let gain = self.press(stand, output, &search.load, (search.side, worth))?;
             is_moved |= gain.ended > 0.0;
             let now = self.reading(stand, output, search);
             if !now.is_finite() {
@@ -131,8 +189,7 @@ impl Mechanism<'_> {
             let is_near = lacks((CURVED * CURVED * far).min(1.0) * shrunk) <= allowed
                 && turned.max(ended) <= allowed;
             let is_stalled = shrunk <= STALLED && shrunk > 0.3 * size;
-            let step = search.q.iter_mut().zip(&self.space.step);
-            step.for_each(|(q, d)| *q += d);
+            add(&mut search.q, &self.space.step);
             if is_near || is_stalled {
                 let deviation = match is_stalled || lacks(shrunk) <= allowed {
                     true => now,
@@ -142,20 +199,18 @@ impl Mechanism<'_> {
                         self.reading(stand, output, search)
                     }
                 };
-                let frames = frames_at(system, self.here(stand).at.poses);
                 self.keep(stand, nominal, is_moved, search);
-                return deviation.is_finite().then_some(Farthest {
+                return deviation.is_finite().then(|| Farthest {
                     deviation,
-                    frames,
+                    q: search.q.clone(),
+                    e: self.chosen.extremes.clone(),
+                    lacks: turned.max(ended),
                     needed: Vec::new(),
                 });
             }
-            slow = if shrunk > SLOW * size { slow + 1 } else { 0 };
-            if slow > 2 && is_kept {
+            slow += usize::from(shrunk > SLOW * size);
+            if slow == MOST_SLOW {
                 return None;
-            }
-            if slow > 2 || (pass == MOST_PASSES / 3 && !is_kept) {
-                (is_kept, slow) = (true, 0);
             }
             (gained, size) = (gain.ended, shrunk);
         }
@@ -187,6 +242,24 @@ impl Mechanism<'_> {
             largest = largest.max((*more * scale).abs());
         }
         if most > 0.0 { largest / most } else { 0.0 }
+    }
+
+    /// Corrects q and λ for the deviations chosen; by how much (as in `step` and `rebalance`).
+    pub fn correct(
+        &mut self,
+        stand: &Stand,
+        output: &Output,
+        q: &mut [f64],
+        load: &mut Load,
+    ) -> (f64, f64) {
+        self.take(q, stand);
+        self.place(stand);
+        let leant = self.rebalance(stand, output, load);
+        self.gap(stand);
+        self.lack(load);
+        let size = self.step();
+        add(q, &self.space.step);
+        (size, leant)
     }
 
     /// The next correction, in `space.step`, and its size.

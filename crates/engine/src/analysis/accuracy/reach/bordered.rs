@@ -11,7 +11,6 @@
 use super::super::displaced::{Mechanism, Stand};
 use super::super::output::{Load, Output};
 use super::super::source::Influence;
-use super::super::turn::Turn;
 use super::Displaced;
 use crate::system::System;
 use linkdyn_linear::math::Vec2;
@@ -64,14 +63,10 @@ pub(in super::super) struct Bordered<'a, 'm> {
     pub unit: f64,
     /// What gains no more than this part of all stays.
     pub still: f64,
-    /// How many corrections of one solution may grow.
-    pub growths: usize,
     /// g of the plays.
     pub influences: Vec<Influence>,
-    /// How often each guided slider changed its corner.
+    /// How often each play changed its end.
     pub turned: Vec<u8>,
-    /// How the plays give way to their influence.
-    pub turns: Vec<Turn>,
     /// ∂y/∂q (n).
     gradient: Vec<f64>,
     /// Corrections, multipliers, and the way on (n + 1).
@@ -87,19 +82,15 @@ struct Course {
     /// What may be left.
     enough: f64,
     stalls: bool,
-    /// How many may grow yet.
-    growths: usize,
 }
 
 impl Course {
     /// After a correction of a size: none where it is lost, else whether it was the last.
     fn follow(&mut self, size: f64) -> Option<bool> {
-        // One that grows may follow from deviations that went to other ends.
         let has_grown = size > GROWN * self.last && size > STALLED;
-        if size.is_nan() || size > LONGEST || (has_grown && self.growths == 0) {
+        if size.is_nan() || size > LONGEST || has_grown {
             return None;
         }
-        self.growths -= usize::from(has_grown);
         // Corrections shrink by a factor, or faster.
         let left = if self.last.is_finite() {
             size * (size / self.last).min(1.0)
@@ -141,10 +132,8 @@ impl<'a, 'm> Bordered<'a, 'm> {
             load,
             unit: if output.is_angle() { 1.0 } else { system.size },
             still: 0.0,
-            growths: 0,
             influences: vec![[0.0; 2]; plays],
             turned: vec![0; plays],
-            turns: vec![Turn::default(); plays],
             gradient: vec![0.0; n],
             step: vec![0.0; n + 1],
             stress: vec![0.0; n + 1],
@@ -161,7 +150,6 @@ impl<'a, 'm> Bordered<'a, 'm> {
         self.load.size = self.first.size;
         self.place()?;
         self.turned.fill(0);
-        self.turns.fill(Turn::default());
         self.press()?;
         Some(Displaced {
             ahead: vec![0.0; q.len() + 1],
@@ -170,7 +158,6 @@ impl<'a, 'm> Bordered<'a, 'm> {
             y: 0.0,
             is_turned: false,
             extremes: self.mechanism.chosen.extremes.clone(),
-            turns: self.turns.clone(),
             off: 0.0,
             is_smooth: true,
         })
@@ -197,7 +184,6 @@ impl<'a, 'm> Bordered<'a, 'm> {
             calm: 0,
             enough,
             stalls,
-            growths: self.growths,
         };
         let (mut flips, mut aims, mut has_jumped) = (0, 0, false);
         for pass in 0..MOST_PASSES {
@@ -220,7 +206,6 @@ impl<'a, 'm> Bordered<'a, 'm> {
                 self.load.size = -self.load.size;
                 self.mechanism.take(&at.q, self.stand);
                 self.turned.fill(0);
-                self.turns.fill(Turn::default());
                 self.press()?;
                 at.is_turned = !at.is_turned;
                 (at.c, course.last, aims) = (-at.c, f64::INFINITY, 0);
@@ -254,7 +239,6 @@ impl<'a, 'm> Bordered<'a, 'm> {
         system.scale_columns(&mut at.ahead[..n]);
         at.ahead.iter_mut().for_each(|by| *by /= self.unit);
         at.extremes.copy_from_slice(&self.mechanism.chosen.extremes);
-        at.turns.copy_from_slice(&self.turns);
     }
 
     /// Factors of the equations with their border, at the position taken.
