@@ -11,6 +11,7 @@
 
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
+use super::search::add;
 use super::source::{Influence, Play, length};
 
 /// Most steps, and most tries of one.
@@ -28,6 +29,8 @@ const WORTH: f64 = 1e-10;
 /// may carry it farther at another side: y = m e + k e²/2 does, where y′ < k r at the end r, and spans 2 r y′.
 const TURNED: f64 = 3.0;
 const LEFT_OUT: f64 = 4.0;
+/// It spans less than y bends by to that side; with others at the same time, than so many times that.
+const BENT: f64 = 3.0;
 /// Corrections of q and λ: most, the longest, and those that are round-off, in radians or sizes.
 const MOST_PASSES: usize = 40;
 const LONGEST: f64 = 0.3;
@@ -213,7 +216,20 @@ impl Climb<'_, '_> {
     /// On from where sources that are doubtful stand at another side, all or one of them, if that goes farther.
     fn aside(&mut self, at: &Place) -> Option<Place> {
         let (plays, nominal) = (self.mechanism.plays, self.influences?);
-        let doubtful = self.mechanism.doubtful((&at.g, self.side), nominal, at.y);
+        self.factor(at)?;
+        let load = Load {
+            lambda: at.lambda.clone(),
+            size: 1.0,
+        };
+        let doubtful = self.mechanism.doubtful(
+            (self.stand, self.output),
+            (&at.q, &at.e, &load),
+            (&at.g, nominal),
+            (self.side, at.y),
+        );
+        if doubtful.is_empty() {
+            return None;
+        }
         let others = |&k: &usize| plays[k].others(at.e[k]).into_iter().map(move |to| (k, to));
         let each = doubtful.iter().flat_map(others).map(|other| vec![other]);
         // What goes through the same joint turns over together.
@@ -233,31 +249,63 @@ impl Climb<'_, '_> {
 }
 
 impl Mechanism<'_> {
-    /// Sources that may go farther at another side than at a place with these influences and deviation to a side (±1): they carry
-    /// the output less far than what the first order leaves out, or than what their influence changed by on the way.
+    /// Sources that may go farther at another side (±1) than at a place with these influences and deviation: they carry the output
+    /// less far than what the first order leaves out, or than their influence changed by on the way, and it bends by as much as
+    /// they go there.
     pub fn doubtful(
-        &self,
-        (g, side): (&[Influence], f64),
-        nominal: &[Influence],
-        deviation: f64,
+        &mut self,
+        (stand, output): (&Stand, &Output),
+        (q, e, load): (&[f64], &[Influence], &Load),
+        (g, nominal): (&[Influence], &[Influence]),
+        (side, deviation): (f64, f64),
     ) -> Vec<usize> {
+        let plays = self.plays;
         let span = |play: &Play, g: Influence| {
             let [down, up] = play.reach(g);
             up - down
         };
-        let first = self.plays.iter().zip(nominal).map(|(play, g)| {
+        let first = plays.iter().zip(nominal).map(|(play, g)| {
             let [down, up] = play.reach(*g);
             if side > 0.0 { up } else { down }
         });
         let left_out = (deviation - first.sum::<f64>()).abs();
-        let each = self.plays.iter().zip(g.iter().zip(nominal)).enumerate();
-        let doubtful = each.filter(|(_, (play, (g, nominal)))| {
-            let own = span(play, **g);
-            let by = span(play, [0, 1].map(|k| g[k] - nominal[k]));
+        let mut weak: Vec<usize> = (0..plays.len()).collect();
+        weak.retain(|&k| {
+            let own = span(&plays[k], g[k]);
+            let by = span(&plays[k], [0, 1].map(|axis| g[k][axis] - nominal[k][axis]));
             let is_weak = own <= (LEFT_OUT * left_out).max(TURNED * by);
             is_weak && own.max(by) > WORTH * deviation.abs()
         });
-        doubtful.map(|(k, _)| k).collect()
+        let mut all = usize::MAX;
+        while weak.len() < all && !weak.is_empty() {
+            all = weak.len();
+            self.chosen.extremes.copy_from_slice(e);
+            for &k in &weak {
+                self.chosen.extremes[k] = plays[k].others(e[k])[0];
+            }
+            let bent = self.bent((stand, output), q, load);
+            weak.retain(|&k| span(&plays[k], g[k]) <= BENT * bent || bent.is_nan());
+        }
+        weak
+    }
+
+    /// What the output bends by to the deviations chosen, on from a position whose factors are at hand; NaN where that is not known.
+    fn bent(&mut self, (stand, output): (&Stand, &Output), q: &[f64], load: &Load) -> f64 {
+        let mut q = q.to_vec();
+        if !self.step_parameters() {
+            return f64::NAN;
+        }
+        let [straight, bent] = [0, 1].map(|_| {
+            self.take(&q, stand);
+            self.place(stand);
+            self.gap(stand);
+            let lacking = self.lack(load);
+            let reading = self.value(stand, output, 1.0) + lacking;
+            self.step();
+            add(&mut q, &self.space.step);
+            reading
+        });
+        (bent - straight).abs()
     }
 }
 

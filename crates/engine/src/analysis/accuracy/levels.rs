@@ -159,24 +159,31 @@ impl<'a> Asked<'a> {
         let mechanism = &mut self.mechanism;
         let search = &mut self.searches[index][side];
         let influences = load.map(|_| self.influences[index].as_slice());
-        let near = load.zip(influences).filter(|_| is_begun);
-        let near = near.and_then(|nominal| mechanism.farthest(stand, output, nominal, search));
+        let known = load.zip(influences).filter(|_| is_begun);
+        let near = known.and_then(|known| mechanism.farthest(stand, output, known, search));
+        if let (Some(near), Some((_, g))) = (&near, known)
+            && mechanism.is_plain((stand, output), search, g, near)
+        {
+            return Some(near.clone());
+        }
+        search.forget();
         let side = search.side;
-        let found = match near {
-            Some(near) if mechanism.is_plain(side, influences, &near) => return Some(near),
-            Some(near) => Some(near),
-            None => {
-                search.forget();
-                // At a change point the self-stress is the load that the equations balance without any on the output.
-                let stress = || stand.self_stress.clone().filter(|own| !own.is_empty());
-                let load = match load {
-                    Some(load) => Some(load.times(side)),
-                    None => stress().map(|lambda| Load { lambda, size: 0.0 }),
-                };
-                mechanism.reach(stand, output, load?, side)
-            }
+        // Where sources went to and fro, on from there; else step by step.
+        let from = known.map(|_| near.unwrap_or_else(|| search.last()));
+        let asked = (nominal, influences);
+        let found =
+            from.and_then(|from| mechanism.farther(stand, output, asked, (side, Some(from))));
+        if let Some(found) = found.filter(|found| search.goes(found.deviation)) {
+            return Some(found);
+        }
+        // At a change point the self-stress is the load that the equations balance without any on the output.
+        let stress = || stand.self_stress.clone().filter(|own| !own.is_empty());
+        let load = match load {
+            Some(load) => load.times(side),
+            None => stress().map(|lambda| Load { lambda, size: 0.0 })?,
         };
-        mechanism.farther(stand, output, (nominal, influences), (side, found))
+        let found = mechanism.reach(stand, output, load, side);
+        mechanism.farther(stand, output, asked, (side, found))
     }
 
     /// Influences, shares and spread.

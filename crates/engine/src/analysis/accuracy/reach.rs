@@ -64,8 +64,6 @@ pub(super) struct Displaced {
     pub extremes: Vec<Influence>,
     /// How far off the guess was from which it was found, [–]; 0 where that says nothing.
     pub off: f64,
-    /// Whether the deviations were where the load presses them, and not kept where they flickered.
-    pub is_smooth: bool,
 }
 
 impl Displaced {
@@ -147,7 +145,7 @@ impl Bordered<'_, '_> {
             let now = trail.last()?;
             let between = Between::new(now, &next);
             let way = self.far(now, &next);
-            let off = if is_first || !is_led || !now.is_smooth {
+            let off = if is_first || !is_led {
                 0.0
             } else {
                 Self::off(now, &next, guessed)
@@ -202,19 +200,19 @@ impl Bordered<'_, '_> {
         // From a guess that is far off the way may lead elsewhere.
         let [from, to] = between.ends();
         let is_near = reached.off <= GUESSED * self.far(from, to) || between.is_narrow();
-        ((is_first && is_near) || !reached.is_smooth).then_some(reached)
+        (is_first && is_near).then_some(reached)
     }
 
     /// Where the way goes on to with a deviation: by its direction and, where nothing left its end, by its curvature.
     fn guess(&self, trail: &[Displaced], y: f64, is_led: bool) -> Displaced {
         let now = &trail[trail.len() - 1];
         let mut next = now.clone();
-        if trail.len() == 1 || !is_led || !now.is_smooth {
+        if trail.len() == 1 || !is_led {
             return next;
         }
         let by = y - now.y;
         let before = &trail[trail.len() - 2];
-        let is_bent = trail.len() > 2 && before.is_smooth && now.off > 0.0;
+        let is_bent = trail.len() > 2 && now.off > 0.0;
         let bend = if is_bent {
             0.5 * by * by / (now.y - before.y)
         } else {

@@ -31,6 +31,8 @@ const MOST_SLOW: usize = 3;
 const STALLED: f64 = 1e-11;
 /// Other deviations of a source are tried where they gain more than this part of the output's.
 const WORTH: f64 = 1e-12;
+/// After a few corrections it is this part.
+const FLICKERS: f64 = 1e-10;
 /// A step that is left is worth so many times its square.
 const CURVED: f64 = 10.0;
 /// What the output still lacks may be this part of its deviation …
@@ -91,10 +93,7 @@ impl Mechanism<'_> {
         std::mem::swap(&mut self.chosen, &mut search.chosen);
         let found = self.settle(stand, output, nominal, search);
         std::mem::swap(&mut self.chosen, &mut search.chosen);
-        // Where an output turns back, deviations may be stationary that go less far than none at all.
-        let [own, first] = [1.0, search.deviation].map(|of| of * search.side);
-        let goes = |found: &Farthest| found.deviation * own >= 0.0 || first < 0.0;
-        found.filter(goes)
+        found.filter(|found| search.goes(found.deviation))
     }
 
     /// The same by steps that gain, on from a place that was `found`, else from the nominal position, with the influences there.
@@ -135,11 +134,20 @@ impl Mechanism<'_> {
         })
     }
 
-    /// Whether no source is worth a try at another side; the influences are those last asked for.
-    pub fn is_plain(&self, side: f64, nominal: Option<&[Influence]>, found: &Farthest) -> bool {
-        let g = &self.space.influences;
-        let asked = |nominal| self.doubtful((g, side), nominal, found.deviation);
-        nominal.is_some_and(|nominal| asked(nominal).is_empty())
+    /// Whether no source may go farther at another side than in a search that has `found` this; the influences are those last asked for.
+    pub fn is_plain(
+        &mut self,
+        of: (&Stand, &Output),
+        search: &Search,
+        nominal: &[Influence],
+        found: &Farthest,
+    ) -> bool {
+        let g = std::mem::take(&mut self.space.influences);
+        let place = (&*found.q, &*found.e, &search.load);
+        let side = (search.side, found.deviation);
+        let doubtful = self.doubtful(of, place, (&g, nominal), side);
+        self.space.influences = g;
+        doubtful.is_empty()
     }
 
     /// The e that are nearest to none.
@@ -162,14 +170,18 @@ impl Mechanism<'_> {
         let unit = if output.is_angle() { 1.0 } else { system.size };
         let Search { is_led, far, .. } = *search;
         let (still, round_off) = (if is_led { LED } else { STILL }, ROUND_OFF * unit);
-        let worth = Worth {
+        let mut worth = Worth {
             ended: WORTH * search.deviation.abs(),
             still: STILL * search.deviation.abs(),
         };
         search.began.copy_from_slice(&search.q);
         let (mut slow, mut gained) = (0, f64::INFINITY);
         let (mut size, mut is_moved) = (if is_led { f64::INFINITY } else { far }, false);
-        for _ in 1..MOST_PASSES {
+        for pass in 1..MOST_PASSES {
+            // What has hardly an influence may flicker from side to side.
+            if pass == MOST_SLOW {
+                worth.ended = FLICKERS * search.deviation.abs();
+            }
             self.take(&search.q, stand);
             self.place(stand);
             let leant = self.rebalance(stand, output, &mut search.load);
@@ -263,7 +275,7 @@ impl Mechanism<'_> {
     }
 
     /// The next correction, in `space.step`, and its size.
-    fn step(&mut self) -> f64 {
+    pub fn step(&mut self) -> f64 {
         let Space { right, step, .. } = &mut self.space;
         self.driven.answer(right, step);
         self.driven.system.scaled_norm(step)

@@ -16,16 +16,12 @@ use crate::system::System;
 use linkdyn_linear::math::Vec2;
 use linkdyn_linear::small::SmallLu;
 
-/// What has hardly an influence flickers from side to side: after so many corrections all keep theirs.
-const MOST_AIMS: usize = 12;
 /// Most corrections of one step.
 const MOST_PASSES: usize = 40;
 /// What is left, in radians or sizes, is round-off.
 const DONE: f64 = 1e-14;
 /// Corrections below this that do not shrink any more are round-off, too: gaps of a tiny clearance hardly say where.
 const STALLED: f64 = 1e-10;
-/// So many of them.
-const CALM: usize = 3;
 /// On the way this is enough, in radians or sizes …
 const NEAR: f64 = 1e-9;
 /// … or in parts of the deviation.
@@ -75,37 +71,20 @@ pub(in super::super) struct Bordered<'a, 'm> {
     ahead: Vec<f64>,
 }
 
-/// How corrections go.
-struct Course {
-    last: f64,
-    calm: usize,
-    /// What may be left.
-    enough: f64,
-    stalls: bool,
-}
-
-impl Course {
-    /// After a correction of a size: none where it is lost, else whether it was the last.
-    fn follow(&mut self, size: f64) -> Option<bool> {
-        let has_grown = size > GROWN * self.last && size > STALLED;
-        if size.is_nan() || size > LONGEST || has_grown {
-            return None;
-        }
-        // Corrections shrink by a factor, or faster.
-        let left = if self.last.is_finite() {
-            size * (size / self.last).min(1.0)
-        } else {
-            size
-        };
-        let stalled = size <= STALLED && size > 0.3 * self.last;
-        self.calm = match size {
-            _ if size <= DONE || stalled => self.calm + 1,
-            _ if size <= STALLED => self.calm,
-            _ => 0,
-        };
-        self.last = size;
-        Some(left <= self.enough || (self.stalls && self.calm >= CALM))
+/// Whether a correction of a size after another was the last, where so much may be left; none where it is lost.
+fn follows(size: f64, last: f64, enough: f64) -> Option<bool> {
+    let has_grown = size > GROWN * last && size > STALLED;
+    if size.is_nan() || size > LONGEST || has_grown {
+        return None;
     }
+    // Corrections shrink by a factor, or faster, until they are round-off.
+    let left = if last.is_finite() {
+        size * (size / last).min(1.0)
+    } else {
+        size
+    };
+    let is_stalled = size <= STALLED && size > 0.3 * last;
+    Some(left <= enough || is_stalled)
 }
 
 impl<'a, 'm> Bordered<'a, 'm> {
@@ -159,7 +138,6 @@ impl<'a, 'm> Bordered<'a, 'm> {
             is_turned: false,
             extremes: self.mechanism.chosen.extremes.clone(),
             off: 0.0,
-            is_smooth: true,
         })
     }
 
@@ -175,25 +153,19 @@ impl<'a, 'm> Bordered<'a, 'm> {
     pub fn solve(&mut self, mut at: Displaced, held: Held) -> Option<Displaced> {
         self.choose(&at);
         let part = at.y.abs() / self.unit;
-        let (enough, stalls) = match held {
-            Held::Output(y) => (NEAR.max(PART * y.abs() / self.unit), false),
-            Held::Share(_) => (DONE.max(FOUND * part), true),
+        let enough = match held {
+            Held::Output(y) => NEAR.max(PART * y.abs() / self.unit),
+            Held::Share(_) => DONE.max(FOUND * part),
         };
-        let mut course = Course {
-            last: f64::INFINITY,
-            calm: 0,
-            enough,
-            stalls,
-        };
-        let (mut flips, mut aims, mut has_jumped) = (0, 0, false);
+        let mut last = f64::INFINITY;
+        let (mut flips, mut has_jumped) = (0, false);
         for pass in 0..MOST_PASSES {
             self.mechanism.take(&at.q, self.stand);
             self.place()?;
             self.factor()?;
             self.balance()?;
-            aims += 1;
-            if aims <= MOST_AIMS && self.press()? {
-                course.last = f64::INFINITY;
+            if self.press()? {
+                last = f64::INFINITY;
                 has_jumped = true;
             }
             let size = self.correct(&mut at, held)?;
@@ -208,22 +180,22 @@ impl<'a, 'm> Bordered<'a, 'm> {
                 self.turned.fill(0);
                 self.press()?;
                 at.is_turned = !at.is_turned;
-                (at.c, course.last, aims) = (-at.c, f64::INFINITY, 0);
+                (at.c, last) = (-at.c, f64::INFINITY);
                 flips += 1;
                 if flips > MOST_FLIPS || size > LONGEST {
                     return None;
                 }
                 continue;
             }
-            if course.follow(size)? {
-                at.is_smooth = aims <= MOST_AIMS;
+            if follows(size, last, enough)? {
                 // Guesses know nothing of ends.
-                if has_jumped || !at.is_smooth {
+                if has_jumped {
                     at.off = 0.0;
                 }
                 self.settle(&mut at);
                 return Some(at);
             }
+            last = size;
         }
         None
     }
