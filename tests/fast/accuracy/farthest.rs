@@ -14,7 +14,7 @@ const SHORT: f64 = 1e-6;
 /// … and no more than this beyond what is found.
 const BEYOND: f64 = 1e-9;
 /// All sources lack no more than this part of it.
-const STATIONARY: f64 = 1e-7;
+const STATIONARY: f64 = 1e-6;
 
 /// Deviations of all sources, each at its end, in any direction.
 fn corner(linkage: &Linkage, random: &mut Random) -> Vec<f64> {

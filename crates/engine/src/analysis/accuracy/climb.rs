@@ -31,11 +31,10 @@ const TURNED: f64 = 3.0;
 const LEFT_OUT: f64 = 4.0;
 /// It spans less than y bends by to that side; with others at the same time, than so many times that.
 const BENT: f64 = 3.0;
-/// Corrections of q and λ: most, the longest, and those that are round-off, in radians or sizes.
+/// Corrections of q and λ: most, the longest, and the last, in radians or sizes: the output lacks its square.
 const MOST_PASSES: usize = 40;
 const LONGEST: f64 = 0.3;
-const DONE: f64 = 1e-14;
-const STALLED: f64 = 1e-10;
+const DONE: f64 = 1e-10;
 
 /// A displaced mechanism on the way.
 #[derive(Debug, Clone)]
@@ -188,12 +187,11 @@ impl Climb<'_, '_> {
         for _ in 0..MOST_PASSES {
             let (size, leant) = mechanism.correct(self.stand, self.output, &mut at.q, &mut load);
             // Corrections that do not shrink lead elsewhere.
-            let is_lost = size > 0.5 * last && size > STALLED;
+            let is_lost = size > 0.5 * last && size > DONE;
             if !(size + leant).is_finite() || size > LONGEST || is_lost {
                 return None;
             }
-            let is_still = size.max(leant) <= STALLED && size >= 0.3 * last;
-            if size.max(leant) <= DONE || is_still {
+            if size.max(leant) <= DONE {
                 return Some(self.told(e, at, load));
             }
             last = size;
@@ -207,7 +205,9 @@ impl Climb<'_, '_> {
         mechanism.take(&at.q, self.stand);
         mechanism.place(self.stand);
         mechanism.influences(self.stand, self.output, &load, &mut at.g);
-        at.y = mechanism.value(self.stand, self.output, 1.0) - self.nominal;
+        mechanism.gap(self.stand);
+        let lacking = mechanism.lack(&load);
+        at.y = mechanism.value(self.stand, self.output, 1.0) - self.nominal + lacking;
         at.e.copy_from_slice(e);
         at.lambda = load.lambda;
         at
@@ -238,7 +238,11 @@ impl Climb<'_, '_> {
             let mut e = at.e.clone();
             others.into_iter().for_each(|(k, to)| e[k] = to);
             self.factor(at)?;
-            let there = self.at(&e, at).map(|there| self.top(there));
+            // What bends upwards there loses less than the influences promise.
+            let least = 0.9 * self.promise(at, &e, &at.g);
+            let there = self.at(&e, at);
+            let there = there.filter(|there| self.gain(at, there) >= least);
+            let there = there.map(|there| self.top(there));
             let is_farther = |there: &Place| self.gain(at, there) > WORTH * at.y.abs();
             if let Some(there) = there.filter(is_farther) {
                 return Some(there);
