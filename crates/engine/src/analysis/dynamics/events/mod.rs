@@ -83,8 +83,8 @@ impl Events {
         if again.is_none() {
             again = search(step)?;
         }
-        // One that soon ends again is between these.
-        if again.is_none() {
+        // One that soon ends again is between these, where the step was not rejected and has become a shorter one.
+        if again.is_none() && bracket.high.time <= step.to() {
             again = between(step, before, bracket.high.time)?;
         }
         if again.is_none() {
