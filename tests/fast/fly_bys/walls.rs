@@ -2,6 +2,7 @@
 
 use super::{body, last, run, touches, tries, with};
 use crate::linkage::Random;
+use crate::mechanisms::column;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
@@ -131,6 +132,46 @@ fn a_disc_stays_within_its_walls() {
             sides.all(|(n, far)| n[0] * disc.place[0] + n[1] * disc.place[1] <= far + 1e-7),
             "{:?}: {model}",
             disc.place
+        );
+    }
+}
+
+/// With friction, too, and whatever the walls are, the disc stays within and gains no energy.
+#[test]
+fn a_disc_with_friction_gains_no_energy() {
+    let mut random = Random(17);
+    for _ in 0..tries() / 2 {
+        let walls = polygon(&mut random);
+        let disc = Disc {
+            walls: &walls,
+            radius: [0.0, 0.05][random.below(2)],
+            gravity: [0.0, 9.81][random.below(2)],
+            place: [0.1 * random.signed(), 0.1 * random.signed()],
+            speed: [2.0 * random.signed(), 2.0 * random.signed()],
+        };
+        let friction = json!({ "law": "coulomb", "coefficient": random.within(0.05, 0.8), "threshold_velocity": 1e-3 });
+        let rigid = json!({ "restitution": random.within(0.2, 0.9), "sense": "energetic", "friction": friction });
+        let yields = json!({ "stiffness": 2e4, "damping": 20.0 });
+        let touch = if random.below(3) == 0 { yields } else { rigid };
+        let mut model = model(&disc, touch);
+        model["bodies"]["b"]["inertia"] = json!(0.002);
+        let run = run(model.clone(), 1.5, json!({ "rtol": random.tolerance() }));
+        let of = |name: &str| column(&run, name);
+        let (vx, vy, omega, y) = (of("b.vx"), of("b.vy"), of("b.omega"), of("b.y"));
+        let energy = |row: usize| {
+            let moving = vx[row].powi(2) + vy[row].powi(2) + 0.002 * omega[row].powi(2);
+            0.5 * moving + disc.gravity * y[row]
+        };
+        let rows = vx.len();
+        assert!(
+            energy(rows - 1) <= energy(0) + 1e-3 * (1.0 + energy(0).abs()),
+            "{model}"
+        );
+        let place = ["b.x", "b.y"].map(|name| last(&run, name));
+        let mut sides = disc.sides();
+        assert!(
+            sides.all(|(n, far)| n[0] * place[0] + n[1] * place[1] <= far + 0.02),
+            "{place:?}: {model}"
         );
     }
 }

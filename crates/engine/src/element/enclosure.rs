@@ -9,6 +9,12 @@ use linkdyn_linear::math::Vec2;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+/// Where a piece begins and ends.
+pub type Ends = [Vec2; 2];
+
+/// The centre of an arc, and whether it turns left.
+pub type Arc = (Vec2, bool);
+
 /// A closed outline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Enclosure {
@@ -16,14 +22,14 @@ pub struct Enclosure {
     pub outline: Marker,
     /// The centre of the tip.
     pub tip: Marker,
-    /// Its pieces from the point of the body \[m\], in the body's frame: ends, and of an arc its centre, and whether it turns left.
-    pub ways: Vec<([Vec2; 2], Option<(Vec2, bool)>)>,
+    /// Its pieces from the point of the body \[m\], in the body's frame.
+    pub ways: Vec<(Ends, Option<Arc>)>,
     /// The contacts that they are.
     pub edges: Range<usize>,
 }
 
 /// The angle under which a way is seen from a point, in parts of a turn.
-fn seen([from, to]: [Vec2; 2], arc: Option<(Vec2, bool)>, point: Vec2) -> f64 {
+fn seen([from, to]: Ends, arc: Option<Arc>, point: Vec2) -> f64 {
     let (a, b) = (from - point, to - point);
     let angle = (a.x * b.y - a.y * b.x).atan2(a.dot(&b)) / TAU;
     let Some((centre, left)) = arc else {
