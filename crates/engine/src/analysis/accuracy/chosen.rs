@@ -1,13 +1,17 @@
 //! Deviations of all sources that are tried together.
 
-use super::sorted::Sorted;
+use super::sorted::{Line, Sorted};
 use super::source::{Influence, Play};
+use super::turn::Turn;
 
 /// Deviations of all sources.
 #[derive(Debug, Clone)]
 pub(super) struct Chosen {
     /// e of the plays.
     pub extremes: Vec<Influence>,
+    /// How those with two ends give way to their influence (plays); each that is not at rest is in `turned`.
+    turns: Vec<Turn>,
+    turned: Vec<usize>,
     /// Steps of the dimensions …
     pub steps: Vec<f64>,
     /// … for these deviations of the parameters.
@@ -37,28 +41,47 @@ impl Chosen {
     pub fn new(plays: usize, dimensions: usize) -> Self {
         Chosen {
             extremes: vec![[0.0; 2]; plays],
+            turns: vec![Turn::default(); plays],
+            turned: Vec::new(),
             steps: vec![0.0; dimensions],
             stepped: Vec::new(),
         }
     }
 
-    /// The ends that the influences `g` ask for, for a side (±1); what spans no more than `still` stays where it was.
+    /// The ends that the influences `g` ask for, for a side (±1); what spans no more than `still` stays where it was. Where
+    /// sources stood between their ends, `place` says where they go on to.
     pub fn begin(
         &mut self,
         (sorted, plays): (&Sorted, &[Play]),
         (g, side): (&[Influence], f64),
         still: f64,
+        place: impl Fn(usize) -> Option<f64>,
     ) {
+        let turns = &mut self.turns;
         let extremes = &mut self.extremes;
+        self.turned.retain(|&play| {
+            let turn = &mut turns[play];
+            let bent = place(play).filter(|_| turn.is_bent());
+            let ahead = bent.zip(plays[play].ends());
+            *turn = ahead.map_or_else(Turn::default, |(place, ends)| {
+                turn.ahead([place, g[play][0]], ends)
+            });
+            if let (Some((place, _)), true) = (ahead, turn.is_bent()) {
+                extremes[play] = [place, 0.0];
+            }
+            turn.is_bent()
+        });
         for disc in &sorted.discs {
             let g = g[disc.play];
             if disc.span(g) > still {
                 extremes[disc.play] = disc.extreme(g, side);
             }
         }
+        let has_turned = !self.turned.is_empty();
         for line in &sorted.lines {
             let g = g[line.play][0];
-            if line.span(g) > still {
+            let is_bent = has_turned && turns[line.play].is_bent();
+            if line.span(g) > still && !is_bent {
                 extremes[line.play][0] = line.extreme(g, side);
             }
         }
@@ -102,17 +125,34 @@ impl Chosen {
                 *e = end;
             }
         }
+        let has_turned = !self.turned.is_empty();
         for line in &sorted.lines {
             let g = g[line.play][0];
-            let e = &mut self.extremes[line.play][0];
+            let e = self.extremes[line.play][0];
             let end = line.extreme(g, side);
-            let gained = (g * (end - *e)).abs();
-            if gained > worth.ended {
-                gain.steps |= line.is_parameter;
-                gain.ended += gained;
-                *e = end;
+            let asks = end != e && (g * (end - e)).abs() > worth.ended;
+            if asks || (has_turned && self.turns[line.play].is_bent()) {
+                self.press_line(line, (g, end), worth, &mut gain);
             }
         }
         gain
+    }
+
+    /// The same of a source with two ends that asks for the other one, or stands between them.
+    fn press_line(&mut self, line: &Line, (g, end): (f64, f64), worth: Worth, gain: &mut Gain) {
+        let e = &mut self.extremes[line.play][0];
+        let turn = &mut self.turns[line.play];
+        let was_at_rest = turn.is_at_rest();
+        let worth = match turn.is_bent() {
+            true => worth.still,
+            false => worth.ended,
+        };
+        let next = turn.next([*e, g], end, (!line.bends).then_some(line.ends), worth);
+        if was_at_rest && !turn.is_at_rest() {
+            self.turned.push(line.play);
+        }
+        gain.steps |= line.is_parameter && next != *e;
+        gain.ended += (g * (next - *e)).abs();
+        *e = next;
     }
 }

@@ -93,10 +93,9 @@ impl<'a> Asked<'a> {
         }
         let each = outputs.iter().zip(&mut poses).zip(&loads).zip(begun);
         for (((&index, pose), load), begun) in each {
-            let (load, nominal) = (load.as_ref(), pose.nominal);
-            let found =
-                [0, 1].map(|side| self.found(index, stand, load, (side, begun[side]), nominal));
-            pose.take(self.system, found);
+            let load = load.as_ref();
+            let found = [0, 1].map(|side| self.found(index, stand, load, (side, begun[side])));
+            pose.take(found);
         }
         poses
     }
@@ -153,37 +152,33 @@ impl<'a> Asked<'a> {
         stand: &Stand,
         load: Option<&Load>,
         (side, is_begun): (usize, bool),
-        nominal: f64,
     ) -> Option<Farthest> {
         let output = &self.question.outputs[index].output;
         let mechanism = &mut self.mechanism;
         let search = &mut self.searches[index][side];
-        let influences = load.map(|_| self.influences[index].as_slice());
-        let known = load.zip(influences).filter(|_| is_begun);
-        let near = known.and_then(|known| mechanism.farthest(stand, output, known, search));
-        if let (Some(near), Some((_, g))) = (&near, known)
-            && mechanism.is_plain((stand, output), search, g, near)
-        {
-            return Some(near.clone());
+        if let (Some(load), true) = (load, is_begun) {
+            let nominal = (load, self.influences[index].as_slice());
+            let near = mechanism.farthest(stand, output, nominal, search);
+            // Where an output turns back, deviations may be stationary that go less far than none at all.
+            let [own, first] = [1.0, search.deviation].map(|of| of * search.side);
+            let goes = |near: &Farthest| near.deviation * own >= 0.0 || first < 0.0;
+            let near = near.filter(goes);
+            if near.is_some() {
+                return near;
+            }
         }
         search.forget();
         let side = search.side;
-        // Where sources went to and fro, on from there; else step by step.
-        let from = known.map(|_| near.unwrap_or_else(|| search.last()));
-        let asked = (nominal, influences);
-        let found =
-            from.and_then(|from| mechanism.farther(stand, output, asked, (side, Some(from))));
-        if let Some(found) = found.filter(|found| search.goes(found.deviation)) {
-            return Some(found);
-        }
-        // At a change point the self-stress is the load that the equations balance without any on the output.
-        let stress = || stand.self_stress.clone().filter(|own| !own.is_empty());
         let load = match load {
             Some(load) => load.times(side),
-            None => stress().map(|lambda| Load { lambda, size: 0.0 })?,
+            None => {
+                // The self-stress is the load that the equations balance without any on the output.
+                let lambda = stand.self_stress.clone();
+                let lambda = lambda.filter(|stress| !stress.is_empty())?;
+                Load { lambda, size: 0.0 }
+            }
         };
-        let found = mechanism.reach(stand, output, load, side);
-        mechanism.farther(stand, output, asked, (side, found))
+        mechanism.reach(stand, output, load, side)
     }
 
     /// Influences, shares and spread.

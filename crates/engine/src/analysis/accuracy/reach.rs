@@ -15,14 +15,18 @@ mod between;
 mod bordered;
 mod pressed;
 
+use super::answer::frames;
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
 use super::search::SILENT;
 use super::source::Influence;
+use super::turn::Turn;
 use super::worst::Farthest;
 pub(super) use between::Between;
 pub(super) use bordered::{Bordered, Held};
 
+/// At last so many corrections of one solution may grow, as deviations go to other ends.
+const GROWTHS: usize = 2;
 /// First deviations that are tried, in radians or sizes: with too small a one the gaps are round-off.
 const FIRST: [f64; 4] = [1e-6, 1e-5, 1e-4, 1e-3];
 /// Largest step of the deviation, in radians or sizes.
@@ -60,10 +64,14 @@ pub(super) struct Displaced {
     pub ahead: Vec<f64>,
     /// Whether the self-stress presses the other way than at the nominal position: as if c were less than 0.
     pub is_turned: bool,
-    /// The deviations, whole.
+    /// The deviations, whole, …
     pub extremes: Vec<Influence>,
+    /// … and of those that give way how they do.
+    pub turns: Vec<Turn>,
     /// How far off the guess was from which it was found, [–]; 0 where that says nothing.
     pub off: f64,
+    /// Whether the deviations were where the load presses them, and not kept where they flickered.
+    pub is_smooth: bool,
 }
 
 impl Displaced {
@@ -101,8 +109,9 @@ impl Mechanism<'_> {
 impl Bordered<'_, '_> {
     fn run(&mut self) -> Option<Farthest> {
         // What has no influence is best left in the middle, but beside a change point it may get one.
-        [SILENT, 0.0].into_iter().find_map(|still| {
-            self.still = still;
+        let tries = [(SILENT, 0), (0.0, 0), (SILENT, GROWTHS)];
+        tries.into_iter().find_map(|(still, growths)| {
+            (self.still, self.growths) = (still, growths);
             self.attempt()
         })
     }
@@ -112,7 +121,7 @@ impl Bordered<'_, '_> {
         for first in FIRST {
             let mut trail = vec![self.start()?];
             let found = self.march(&mut trail, first * self.unit);
-            if found.is_some() || trail.len() > 1 {
+            if found.is_some() || (trail.len() > 1 && self.growths == 0) {
                 return found;
             }
         }
@@ -145,13 +154,14 @@ impl Bordered<'_, '_> {
             let now = trail.last()?;
             let between = Between::new(now, &next);
             let way = self.far(now, &next);
-            let off = if is_first || !is_led {
+            let off = if is_first || !is_led || !now.is_smooth {
                 0.0
             } else {
                 Self::off(now, &next, guessed)
             };
             let is_narrow = step <= NARROW * self.unit || between.is_narrow();
-            let is_astray = next.off > ASTRAY * way;
+            // Where corrections may grow, the position may be one that was not guessed.
+            let is_astray = self.growths == 0 && next.off > ASTRAY * way;
             if !is_first && !is_narrow && (off > LOST || is_astray) {
                 step *= SHORTER;
                 continue;
@@ -165,9 +175,7 @@ impl Bordered<'_, '_> {
                 return Some(Farthest {
                     deviation: reached.y,
                     needed: self.needed(trail),
-                    q: reached.q,
-                    e: reached.extremes,
-                    lacks: f64::NAN,
+                    frames: frames(self.mechanism.driven.system, &reached.q),
                 });
             }
             // Beside a change point c falls again towards the other branch, which the clearance then lets in.
@@ -200,19 +208,19 @@ impl Bordered<'_, '_> {
         // From a guess that is far off the way may lead elsewhere.
         let [from, to] = between.ends();
         let is_near = reached.off <= GUESSED * self.far(from, to) || between.is_narrow();
-        (is_first && is_near).then_some(reached)
+        ((is_first && is_near) || !reached.is_smooth).then_some(reached)
     }
 
     /// Where the way goes on to with a deviation: by its direction and, where nothing left its end, by its curvature.
     fn guess(&self, trail: &[Displaced], y: f64, is_led: bool) -> Displaced {
         let now = &trail[trail.len() - 1];
         let mut next = now.clone();
-        if trail.len() == 1 || !is_led {
+        if trail.len() == 1 || !is_led || !now.is_smooth {
             return next;
         }
         let by = y - now.y;
         let before = &trail[trail.len() - 2];
-        let is_bent = trail.len() > 2 && now.off > 0.0;
+        let is_bent = trail.len() > 2 && before.is_smooth && now.off > 0.0;
         let bend = if is_bent {
             0.5 * by * by / (now.y - before.y)
         } else {

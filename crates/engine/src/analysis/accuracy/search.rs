@@ -2,13 +2,12 @@
 //!
 //! With the pins pressed, and all else at its ends, where the influences at the nominal position say, and displaced to first order.
 //! Along a stroke what comes to that goes on smoothly, on a parabola through the last three poses: of q, λ and g what is beyond
-//! the first order.
+//! the first order, and the places of sources between their ends.
 
 use super::chosen::Chosen;
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::Load;
 use super::source::Influence;
-use super::worst::Farthest;
 
 /// Poses that are kept: those of a parabola.
 const KEPT: usize = 3;
@@ -49,10 +48,12 @@ struct Past {
     /// \[s\]
     time: f64,
     beyond: Beyond,
+    /// e of the plays.
+    places: Vec<Influence>,
 }
 
 /// What a farthest deviation was beyond its first order, in one row so that parabolas are quick: coordinates (n), multipliers (m),
-/// and influences.
+/// and the influences that these do not tell.
 #[derive(Debug, Clone)]
 struct Beyond {
     numbers: Vec<f64>,
@@ -94,7 +95,7 @@ impl Search {
             past: Vec::with_capacity(KEPT),
             weights: [0.0; KEPT],
             ahead: Beyond {
-                numbers: vec![0.0; n + m + 2 * plays],
+                numbers: vec![0.0; n + m + mechanism.sorted.untold()],
                 begins: [n, n + m],
             },
         }
@@ -103,22 +104,6 @@ impl Search {
     /// The next pose does not go on from the ones before.
     pub fn forget(&mut self) {
         self.past.clear();
-    }
-
-    /// Where it is, whether that is a worst case or not.
-    pub fn last(&self) -> Farthest {
-        Farthest {
-            deviation: f64::NAN,
-            q: self.q.clone(),
-            e: self.chosen.extremes.clone(),
-            lacks: f64::NAN,
-            needed: Vec::new(),
-        }
-    }
-
-    /// Whether a deviation is one to its side: where an output turns back, deviations may be stationary that go less far than none.
-    pub fn goes(&self, deviation: f64) -> bool {
-        deviation * self.side >= 0.0 || self.deviation * self.side < 0.0
     }
 
     /// Looks ahead to a time; whether anything is known.
@@ -162,14 +147,21 @@ impl Search {
         let sources = (&mechanism.sorted, mechanism.plays);
         if !self.is_led {
             let asked = (influences, self.side);
-            return self.chosen.begin(sources, asked, -1.0);
+            return self.chosen.begin(sources, asked, -1.0, |_| None);
         }
-        let beyond = self.ahead.influences().as_chunks().0;
-        for (g, (near, [x, y])) in g.iter_mut().zip(influences.iter().zip(beyond)) {
-            *g = [near[0] + x, near[1] + y];
-        }
+        let beyond = (self.ahead.lambda(), self.ahead.influences());
+        mechanism.sorted.differ(beyond, influences, g);
+        let each = self.past.iter().zip(self.weights);
+        let place = |play: usize| {
+            let places = each.clone();
+            Some(
+                places
+                    .map(|(past, weight)| weight * past.places[play][0])
+                    .sum(),
+            )
+        };
         let still = SILENT * first.abs();
-        self.chosen.begin(sources, (g, self.side), still);
+        self.chosen.begin(sources, (g, self.side), still, place);
     }
 
     /// Keeps what was found, the mechanism displaced to first order (n) for the same deviations.
@@ -186,16 +178,18 @@ impl Search {
             Past {
                 time,
                 beyond: self.ahead.clone(),
+                places: self.chosen.extremes.clone(),
             }
         };
         past.time = time;
+        past.places.copy_from_slice(&self.chosen.extremes);
         let [begin, middle] = past.beyond.begins;
         let (q, others) = past.beyond.numbers.split_at_mut(begin);
         less(&self.q, first, q);
-        let (lambda, beyond) = others.split_at_mut(middle - begin);
+        let (lambda, untold) = others.split_at_mut(middle - begin);
         less(&self.load.lambda, &load.lambda, lambda);
-        let g = mechanism.space.influences.as_flattened();
-        less(g, influences.as_flattened(), beyond);
+        let g = &mechanism.space.influences;
+        mechanism.sorted.differences(g, influences, untold);
         self.past.insert(0, past);
     }
 }
@@ -273,7 +267,7 @@ impl Mechanism<'_> {
     }
 }
 
-pub(super) fn add(own: &mut [f64], more: &[f64]) {
+fn add(own: &mut [f64], more: &[f64]) {
     own.iter_mut()
         .zip(more)
         .for_each(|(own, more)| *own += more);

@@ -26,6 +26,8 @@ pub(super) struct Line {
     /// The least and the greatest.
     pub ends: [f64; 2],
     pub is_parameter: bool,
+    /// Whether what it does bends, so that it does not stand between its ends.
+    pub bends: bool,
 }
 
 /// A parameter: a stretch of all steps.
@@ -154,6 +156,7 @@ impl Sorted {
                     play,
                     ends,
                     is_parameter: matches!(own, Play::Parameter { .. }),
+                    bends: matches!(own, Play::Parameter { bends: true, .. }),
                 }));
             }
         }
@@ -223,6 +226,47 @@ impl Sorted {
         }
         for &InRows { play, row } in &self.single {
             rows[row] += e[play][0];
+        }
+    }
+
+    /// How many numbers of influences the multipliers do not tell: of parameters one, of zones two.
+    pub fn untold(&self) -> usize {
+        self.parameters.len() + 2 * self.zones.len()
+    }
+
+    /// Those numbers, less what they are elsewhere.
+    pub fn differences(&self, g: &[Influence], less: &[Influence], numbers: &mut [f64]) {
+        let (numbers, pairs) = numbers.split_at_mut(self.parameters.len());
+        for (own, number) in self.parameters.iter().zip(numbers) {
+            *number = g[own.play][0] - less[own.play][0];
+        }
+        for (&(play, _), pair) in self.zones.iter().zip(pairs.as_chunks_mut().0) {
+            *pair = [0, 1].map(|k| g[play][k] - less[play][k]);
+        }
+    }
+
+    /// g where multipliers and those numbers differ by so much from what they are elsewhere.
+    pub fn differ(
+        &self,
+        (lambda, numbers): (&[f64], &[f64]),
+        elsewhere: &[Influence],
+        g: &mut [Influence],
+    ) {
+        for &InRows { play, row } in &self.double {
+            let [a, b] = elsewhere[play];
+            g[play] = [a - lambda[row], b - lambda[row + 1]];
+        }
+        for &InRows { play, row } in &self.single {
+            g[play] = [elsewhere[play][0] - lambda[row], 0.0];
+        }
+        let (numbers, pairs) = numbers.split_at(self.parameters.len());
+        for (own, more) in self.parameters.iter().zip(numbers) {
+            g[own.play] = [elsewhere[own.play][0] + more, 0.0];
+        }
+        for (&(play, _), more) in self.zones.iter().zip(pairs.as_chunks().0) {
+            let [a, b] = elsewhere[play];
+            let [x, y] = more;
+            g[play] = [a + x, b + y];
         }
     }
 }

@@ -11,28 +11,24 @@
 //! y ≈ y(q) − λᵀ (φ(q) + e)
 //! ```
 //!
-//! which is off by the square of what q and λ lack, so that two corrections suffice for most. Where they settle, what the output
-//! bends by is less than what the sources do, and the place is a maximum of all that are near; where not, `climb` goes on. A
-//! stationary output is no proof that there is no farther one; see `enclosure` for that.
+//! which is off by the square of what q and λ lack, so that two corrections suffice for most. A stationary output is no
+//! proof; see `enclosure` for one.
 
+use super::answer::frames_at;
 use super::chosen::{Gain, Worth};
-use super::climb::Climb;
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::{Load, Output};
-use super::search::{Search, add};
-use super::source::{Influence, Play};
+use super::search::Search;
+use super::source::Influence;
 
 /// Most corrections.
-const MOST_PASSES: usize = 20;
-/// Corrections that shrink less than this, so often, are left to [`super::climb`].
+const MOST_PASSES: usize = 60;
+/// Corrections that shrink less than this are left to [`super::reach`].
 const SLOW: f64 = 0.5;
-const MOST_SLOW: usize = 3;
 /// Corrections below this, in radians or sizes, that shrink no more are round-off.
 const STALLED: f64 = 1e-11;
 /// Other deviations of a source are tried where they gain more than this part of the output's.
 const WORTH: f64 = 1e-12;
-/// After a few corrections it is this part.
-const FLICKERS: f64 = 1e-10;
 /// A step that is left is worth so many times its square.
 const CURVED: f64 = 10.0;
 /// What the output still lacks may be this part of its deviation …
@@ -47,11 +43,8 @@ const ROUND_OFF: f64 = 2e-16;
 pub(super) struct Farthest {
     /// Deviation of the output [rad or m].
     pub deviation: f64,
-    /// Coordinates there (n), and e of the plays.
-    pub q: Vec<f64>,
-    pub e: Vec<Influence>,
-    /// What the sources could still gain, to first order; NaN where that is not known.
-    pub lacks: f64,
+    /// Frames of the moving bodies there.
+    pub frames: Vec<[f64; 3]>,
     /// On the way there: deviations with the share of the sources that each needs; empty where they were not followed.
     pub needed: Vec<[f64; 2]>,
 }
@@ -93,70 +86,7 @@ impl Mechanism<'_> {
         std::mem::swap(&mut self.chosen, &mut search.chosen);
         let found = self.settle(stand, output, nominal, search);
         std::mem::swap(&mut self.chosen, &mut search.chosen);
-        found.filter(|found| search.goes(found.deviation))
-    }
-
-    /// The same by steps that gain, on from a place that was `found`, else from the nominal position, with the influences there.
-    /// The factors are those of the pose again.
-    pub fn farther(
-        &mut self,
-        stand: &Stand,
-        output: &Output,
-        (nominal, influences): (f64, Option<&[Influence]>),
-        (side, found): (f64, Option<Farthest>),
-    ) -> Option<Farthest> {
-        let rest = self.rest();
-        let from = found.as_ref().map(|found| (&*found.q, &*found.e));
-        let (q, e) = from.unwrap_or((&stand.q, &rest));
-        let mut climb = Climb {
-            mechanism: self,
-            stand,
-            output,
-            side,
-            nominal,
-            influences,
-        };
-        let top = climb.from(q, e);
-        self.stand(stand);
-        let Some((top, lacks)) = top else {
-            return found;
-        };
-        let mut needed = found.map_or_else(Vec::new, |found| found.needed);
-        if let Some([reached, _]) = needed.last_mut() {
-            *reached = top.y;
-        }
-        Some(Farthest {
-            deviation: top.y,
-            q: top.q,
-            e: top.e,
-            lacks,
-            needed,
-        })
-    }
-
-    /// Whether no source may go farther at another side than in a search that has `found` this; the influences are those last asked for.
-    pub fn is_plain(
-        &mut self,
-        of: (&Stand, &Output),
-        search: &Search,
-        nominal: &[Influence],
-        found: &Farthest,
-    ) -> bool {
-        let g = std::mem::take(&mut self.space.influences);
-        let place = (&*found.q, &*found.e, &search.load);
-        let side = (search.side, found.deviation);
-        let doubtful = self.doubtful(of, place, (&g, nominal), side);
-        self.space.influences = g;
-        doubtful.is_empty()
-    }
-
-    /// The e that are nearest to none.
-    fn rest(&self) -> Vec<Influence> {
-        let none = |play: &Play| {
-            let ends = play.ends().unwrap_or_default();
-            [0.0_f64.clamp(ends[0], ends[1]), 0.0]
-        };
-        self.plays.iter().map(none).collect()
+        found
     }
 
     fn settle(
@@ -170,22 +100,22 @@ impl Mechanism<'_> {
         let unit = if output.is_angle() { 1.0 } else { system.size };
         let Search { is_led, far, .. } = *search;
         let (still, round_off) = (if is_led { LED } else { STILL }, ROUND_OFF * unit);
-        let mut worth = Worth {
+        let worth = Worth {
             ended: WORTH * search.deviation.abs(),
             still: STILL * search.deviation.abs(),
         };
         search.began.copy_from_slice(&search.q);
-        let (mut slow, mut gained) = (0, f64::INFINITY);
+        let (mut slow, mut is_kept, mut gained) = (0, false, f64::INFINITY);
         let (mut size, mut is_moved) = (if is_led { f64::INFINITY } else { far }, false);
         for pass in 1..MOST_PASSES {
-            // What has hardly an influence may flicker from side to side.
-            if pass == MOST_SLOW {
-                worth.ended = FLICKERS * search.deviation.abs();
-            }
             self.take(&search.q, stand);
             self.place(stand);
             let leant = self.rebalance(stand, output, &mut search.load);
-            let gain = self.press(stand, output, &search.load, (search.side, worth))?;
+            // What has hardly an influence may flicker from side to side; then all keep theirs.
+            let mut gain = Gain::default();
+            if !is_kept {
+                gain = self.press(stand, output, &search.load, (search.side, worth))?;
+            }
             is_moved |= gain.ended > 0.0;
             let now = self.reading(stand, output, search);
             if !now.is_finite() {
@@ -201,7 +131,8 @@ impl Mechanism<'_> {
             let is_near = lacks((CURVED * CURVED * far).min(1.0) * shrunk) <= allowed
                 && turned.max(ended) <= allowed;
             let is_stalled = shrunk <= STALLED && shrunk > 0.3 * size;
-            add(&mut search.q, &self.space.step);
+            let step = search.q.iter_mut().zip(&self.space.step);
+            step.for_each(|(q, d)| *q += d);
             if is_near || is_stalled {
                 let deviation = match is_stalled || lacks(shrunk) <= allowed {
                     true => now,
@@ -211,18 +142,20 @@ impl Mechanism<'_> {
                         self.reading(stand, output, search)
                     }
                 };
+                let frames = frames_at(system, self.here(stand).at.poses);
                 self.keep(stand, nominal, is_moved, search);
-                return deviation.is_finite().then(|| Farthest {
+                return deviation.is_finite().then_some(Farthest {
                     deviation,
-                    q: search.q.clone(),
-                    e: self.chosen.extremes.clone(),
-                    lacks: turned.max(ended),
+                    frames,
                     needed: Vec::new(),
                 });
             }
-            slow += usize::from(shrunk > SLOW * size);
-            if slow == MOST_SLOW {
+            slow = if shrunk > SLOW * size { slow + 1 } else { 0 };
+            if slow > 2 && is_kept {
                 return None;
+            }
+            if slow > 2 || (pass == MOST_PASSES / 3 && !is_kept) {
+                (is_kept, slow) = (true, 0);
             }
             (gained, size) = (gain.ended, shrunk);
         }
@@ -256,26 +189,8 @@ impl Mechanism<'_> {
         if most > 0.0 { largest / most } else { 0.0 }
     }
 
-    /// Corrects q and λ for the deviations chosen; by how much (as in `step` and `rebalance`).
-    pub fn correct(
-        &mut self,
-        stand: &Stand,
-        output: &Output,
-        q: &mut [f64],
-        load: &mut Load,
-    ) -> (f64, f64) {
-        self.take(q, stand);
-        self.place(stand);
-        let leant = self.rebalance(stand, output, load);
-        self.gap(stand);
-        self.lack(load);
-        let size = self.step();
-        add(q, &self.space.step);
-        (size, leant)
-    }
-
     /// The next correction, in `space.step`, and its size.
-    pub fn step(&mut self) -> f64 {
+    fn step(&mut self) -> f64 {
         let Space { right, step, .. } = &mut self.space;
         self.driven.answer(right, step);
         self.driven.system.scaled_norm(step)

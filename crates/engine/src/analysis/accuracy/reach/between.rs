@@ -45,6 +45,9 @@ impl<'d> Between<'d> {
         };
         let of = |at: &Displaced| *at.q.get(k).unwrap_or(&at.c);
         let (from, to) = (of(self.from), sign * of(self.to));
+        if !(self.from.is_smooth && self.to.is_smooth) {
+            return [from, to - from, to, to - from];
+        }
         [
             from,
             way * self.from.ahead[k],

@@ -11,17 +11,22 @@
 use super::super::displaced::{Mechanism, Stand};
 use super::super::output::{Load, Output};
 use super::super::source::Influence;
+use super::super::turn::Turn;
 use super::Displaced;
 use crate::system::System;
 use linkdyn_linear::math::Vec2;
 use linkdyn_linear::small::SmallLu;
 
+/// What has hardly an influence flickers from side to side: after so many corrections all keep theirs.
+const MOST_AIMS: usize = 12;
 /// Most corrections of one step.
 const MOST_PASSES: usize = 40;
 /// What is left, in radians or sizes, is round-off.
 const DONE: f64 = 1e-14;
 /// Corrections below this that do not shrink any more are round-off, too: gaps of a tiny clearance hardly say where.
 const STALLED: f64 = 1e-10;
+/// So many of them.
+const CALM: usize = 3;
 /// On the way this is enough, in radians or sizes …
 const NEAR: f64 = 1e-9;
 /// … or in parts of the deviation.
@@ -59,10 +64,14 @@ pub(in super::super) struct Bordered<'a, 'm> {
     pub unit: f64,
     /// What gains no more than this part of all stays.
     pub still: f64,
+    /// How many corrections of one solution may grow.
+    pub growths: usize,
     /// g of the plays.
     pub influences: Vec<Influence>,
-    /// How often each play changed its end.
+    /// How often each guided slider changed its corner.
     pub turned: Vec<u8>,
+    /// How the plays give way to their influence.
+    pub turns: Vec<Turn>,
     /// ∂y/∂q (n).
     gradient: Vec<f64>,
     /// Corrections, multipliers, and the way on (n + 1).
@@ -71,20 +80,41 @@ pub(in super::super) struct Bordered<'a, 'm> {
     ahead: Vec<f64>,
 }
 
-/// Whether a correction of a size after another was the last, where so much may be left; none where it is lost.
-fn follows(size: f64, last: f64, enough: f64) -> Option<bool> {
-    let has_grown = size > GROWN * last && size > STALLED;
-    if size.is_nan() || size > LONGEST || has_grown {
-        return None;
+/// How corrections go.
+struct Course {
+    last: f64,
+    calm: usize,
+    /// What may be left.
+    enough: f64,
+    stalls: bool,
+    /// How many may grow yet.
+    growths: usize,
+}
+
+impl Course {
+    /// After a correction of a size: none where it is lost, else whether it was the last.
+    fn follow(&mut self, size: f64) -> Option<bool> {
+        // One that grows may follow from deviations that went to other ends.
+        let has_grown = size > GROWN * self.last && size > STALLED;
+        if size.is_nan() || size > LONGEST || (has_grown && self.growths == 0) {
+            return None;
+        }
+        self.growths -= usize::from(has_grown);
+        // Corrections shrink by a factor, or faster.
+        let left = if self.last.is_finite() {
+            size * (size / self.last).min(1.0)
+        } else {
+            size
+        };
+        let stalled = size <= STALLED && size > 0.3 * self.last;
+        self.calm = match size {
+            _ if size <= DONE || stalled => self.calm + 1,
+            _ if size <= STALLED => self.calm,
+            _ => 0,
+        };
+        self.last = size;
+        Some(left <= self.enough || (self.stalls && self.calm >= CALM))
     }
-    // Corrections shrink by a factor, or faster, until they are round-off.
-    let left = if last.is_finite() {
-        size * (size / last).min(1.0)
-    } else {
-        size
-    };
-    let is_stalled = size <= STALLED && size > 0.3 * last;
-    Some(left <= enough || is_stalled)
 }
 
 impl<'a, 'm> Bordered<'a, 'm> {
@@ -111,8 +141,10 @@ impl<'a, 'm> Bordered<'a, 'm> {
             load,
             unit: if output.is_angle() { 1.0 } else { system.size },
             still: 0.0,
+            growths: 0,
             influences: vec![[0.0; 2]; plays],
             turned: vec![0; plays],
+            turns: vec![Turn::default(); plays],
             gradient: vec![0.0; n],
             step: vec![0.0; n + 1],
             stress: vec![0.0; n + 1],
@@ -129,6 +161,7 @@ impl<'a, 'm> Bordered<'a, 'm> {
         self.load.size = self.first.size;
         self.place()?;
         self.turned.fill(0);
+        self.turns.fill(Turn::default());
         self.press()?;
         Some(Displaced {
             ahead: vec![0.0; q.len() + 1],
@@ -137,7 +170,9 @@ impl<'a, 'm> Bordered<'a, 'm> {
             y: 0.0,
             is_turned: false,
             extremes: self.mechanism.chosen.extremes.clone(),
+            turns: self.turns.clone(),
             off: 0.0,
+            is_smooth: true,
         })
     }
 
@@ -153,19 +188,26 @@ impl<'a, 'm> Bordered<'a, 'm> {
     pub fn solve(&mut self, mut at: Displaced, held: Held) -> Option<Displaced> {
         self.choose(&at);
         let part = at.y.abs() / self.unit;
-        let enough = match held {
-            Held::Output(y) => NEAR.max(PART * y.abs() / self.unit),
-            Held::Share(_) => DONE.max(FOUND * part),
+        let (enough, stalls) = match held {
+            Held::Output(y) => (NEAR.max(PART * y.abs() / self.unit), false),
+            Held::Share(_) => (DONE.max(FOUND * part), true),
         };
-        let mut last = f64::INFINITY;
-        let (mut flips, mut has_jumped) = (0, false);
+        let mut course = Course {
+            last: f64::INFINITY,
+            calm: 0,
+            enough,
+            stalls,
+            growths: self.growths,
+        };
+        let (mut flips, mut aims, mut has_jumped) = (0, 0, false);
         for pass in 0..MOST_PASSES {
             self.mechanism.take(&at.q, self.stand);
             self.place()?;
             self.factor()?;
             self.balance()?;
-            if self.press()? {
-                last = f64::INFINITY;
+            aims += 1;
+            if aims <= MOST_AIMS && self.press()? {
+                course.last = f64::INFINITY;
                 has_jumped = true;
             }
             let size = self.correct(&mut at, held)?;
@@ -178,24 +220,25 @@ impl<'a, 'm> Bordered<'a, 'm> {
                 self.load.size = -self.load.size;
                 self.mechanism.take(&at.q, self.stand);
                 self.turned.fill(0);
+                self.turns.fill(Turn::default());
                 self.press()?;
                 at.is_turned = !at.is_turned;
-                (at.c, last) = (-at.c, f64::INFINITY);
+                (at.c, course.last, aims) = (-at.c, f64::INFINITY, 0);
                 flips += 1;
                 if flips > MOST_FLIPS || size > LONGEST {
                     return None;
                 }
                 continue;
             }
-            if follows(size, last, enough)? {
+            if course.follow(size)? {
+                at.is_smooth = aims <= MOST_AIMS;
                 // Guesses know nothing of ends.
-                if has_jumped {
+                if has_jumped || !at.is_smooth {
                     at.off = 0.0;
                 }
                 self.settle(&mut at);
                 return Some(at);
             }
-            last = size;
         }
         None
     }
@@ -211,6 +254,7 @@ impl<'a, 'm> Bordered<'a, 'm> {
         system.scale_columns(&mut at.ahead[..n]);
         at.ahead.iter_mut().for_each(|by| *by /= self.unit);
         at.extremes.copy_from_slice(&self.mechanism.chosen.extremes);
+        at.turns.copy_from_slice(&self.turns);
     }
 
     /// Factors of the equations with their border, at the position taken.
