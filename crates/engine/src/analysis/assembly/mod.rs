@@ -134,7 +134,10 @@ fn settle(system: &System, inputs: &Inputs, closed: Closed) -> Found {
         },
         Way::Reached(reached) => {
             let there = Found::reached(system, inputs, reached, closed.iterations);
-            there.unwrap_or_else(|| Found::alone(closed))
+            there.unwrap_or_else(|| Found {
+                warnings: vec![way::unmet(system, inputs)],
+                ..Found::alone(closed)
+            })
         }
     }
 }

@@ -43,6 +43,15 @@ pub(super) fn stuck(system: &System, values: &Values) -> String {
     )
 }
 
+/// Of a way from a drawing that does not close.
+pub(super) fn undrawn(system: &System, values: &Values) -> String {
+    format!(
+        "{} can't be reached by moving there from the drawing, which does not close where it is drawn; taken is the assembly nearest to \
+         the drawing, which may be another one than is meant: {SETTLES}",
+        start(system, values),
+    )
+}
+
 /// Of a way that is too long.
 pub(super) fn too_far(system: &System, values: &Values) -> String {
     format!(

@@ -116,7 +116,7 @@ pub(super) fn from_drawing(system: &System, inputs: &Inputs, found: Option<&[f64
         return Way::Nowhere;
     }
     let Some(mut q) = drawing::closed(system, inputs, &drawn) else {
-        return Way::Nowhere;
+        return Way::Ended(told::undrawn(system, &drawn));
     };
     let mut ranks = with_starts(system, &q, inputs);
     let mut warnings = Vec::new();
@@ -150,6 +150,11 @@ pub(super) fn from_drawing(system: &System, inputs: &Inputs, found: Option<&[f64
         }
     }
     Way::Ended(told::stuck(system, &drawn))
+}
+
+/// What is said where the end of the way does not meet initial values that could not lead it.
+pub(super) fn unmet(system: &System, inputs: &Inputs) -> String {
+    told::stuck(system, &Values::at(system, &system.guess, inputs))
 }
 
 /// A mechanism that is led to its start.
