@@ -84,7 +84,7 @@ fn jams_end_by_impulses() {
         // The others come nearer whatever they do while one of them pushes: it does not jam alone.
         (&["c", "d", "e", "f"], 0.5, 0.5),
         (&["a", "b"], 0.0, 0.1),
-        (&["a", "b"], 0.5, 0.6),
+        (&["a", "b"], 0.5, 0.5),
         (&["a", "b", "c"], 0.0, 0.2),
         (&["a", "b", "c"], 0.0, 0.5),
     ] {
