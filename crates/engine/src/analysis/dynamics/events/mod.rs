@@ -83,10 +83,7 @@ impl Events {
         if again.is_none() {
             again = search(step)?;
         }
-        // One that soon ends again is between these, where the step was not rejected and has become a shorter one.
-        if again.is_none() && bracket.high.time <= step.to() {
-            again = between(step, before, bracket.high.time)?;
-        }
+        // One that soon ends again.
         if again.is_none() {
             again = self.0.first(step, step.to())?;
         }

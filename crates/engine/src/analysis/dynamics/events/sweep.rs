@@ -28,6 +28,8 @@ const UNKNOWN: f64 = 1e100;
 const MOST: usize = 64;
 /// How often a part of a step is divided.
 const DEEPEST: usize = 24;
+/// What is shorter than this, in parts of the time, is an instant: times are round-off.
+const INSTANT: f64 = 16.0 * f64::EPSILON;
 /// Where a guard is largest is not looked for nearer than this to the ends of a part.
 const INSIDE: f64 = 0.1;
 
@@ -96,6 +98,9 @@ impl Sweep {
     /// Where the mechanism can't be evaluated within the step, or the step is too long.
     pub fn first(&mut self, step: &mut LastStep, until: f64) -> Result<Option<Bracket>, Fault> {
         self.taken = 0;
+        if is_instant(step.from(), until) {
+            return Ok(None);
+        }
         self.gather(step.flow, (step.from(), step.to()));
         self.opens.clear();
         let contacts = step.flow.system().contacts.len();
@@ -323,7 +328,8 @@ impl Sweep {
         let [low, high] = [from.point(), to.point()];
         let bracket = (high.value > 0.0 && low.value <= 0.0).then_some(Bracket { low, high });
         let rises = |open: &Open| open.course(from, to).rises(open.doubt);
-        if depth == 0 || (bracket.is_some() && opens.iter().all(rises)) {
+        let is_last = depth == 0 || is_instant(from.time, to.time);
+        if is_last || (bracket.is_some() && opens.iter().all(rises)) {
             return Ok(bracket);
         }
         if self.taken > MOST {
@@ -353,4 +359,8 @@ impl Sweep {
         }
         self.descend(step, [&middle, to], &of(1.0 - x), depth - 1)
     }
+}
+
+fn is_instant(from: f64, to: f64) -> bool {
+    to - from <= INSTANT * to.abs()
 }
