@@ -62,6 +62,11 @@ fn refused(json: &Value) -> Complaint {
     of_run.into_iter().next().expect("a complaint")
 }
 
+fn bundled(name: &str) -> Value {
+    let model = linkdyn_model::bundled::find(name).expect("bundled");
+    serde_json::from_str(model.text).expect("JSON")
+}
+
 /// Runs a command on a model in a file.
 fn command(name: &str, words: &[&str], json: &Value) -> Said {
     let file = Path::new(env!("CARGO_TARGET_TMPDIR"))
@@ -133,16 +138,24 @@ fn joints_and_drivers_further_than_numbers_reach_are_named() {
     }
 }
 
+/// A crank that gas spins up until steps leave the range of numbers: where a curve comes round no last place is kept; panicked.
+#[test]
+fn a_curve_that_comes_round_has_no_place_for_what_is_no_number() {
+    let mut engine = bundled("engine");
+    engine["tables"]["gas"]["points"][33][1] = json!(-2830079221.0975456);
+    engine["analysis"]["solver"]["initial_step"] = json!(1.8939654323075532);
+    engine["analysis"]["end"] = json!(0.0683);
+    let trajectory = run(&load(&engine), &Control::default())
+        .expect("runs")
+        .trajectory;
+    assert!(trajectory.len() > 340, "{} rows", trajectory.len());
+}
+
 /// "Newton's iteration does not converge (residual NaN of the size)": an output right at a dead centre, and a driver whose value
 /// overflows. The message has a reason in words, and what was computed until then is kept.
 #[test]
 fn an_end_of_the_motion_has_a_reason_in_words() {
-    let mut chebyshev: Value = serde_json::from_str(
-        linkdyn_model::bundled::find("chebyshev")
-            .expect("bundled")
-            .text,
-    )
-    .expect("JSON");
+    let mut chebyshev = bundled("chebyshev");
     chebyshev["bodies"]["coupler"]["points"]["B"] = json!([125, 0]);
     chebyshev["bodies"]["left"]["points"]["A"] = json!([-25, 0]);
     let polynomial = json!({ "type": "polynomial", "coefficients": [0.5, 3, 1.5, -0.25] });

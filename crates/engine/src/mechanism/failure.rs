@@ -10,7 +10,7 @@ pub enum Failure {
     #[error("the Jacobian is singular")]
     Singular,
     /// Newton does not converge; scaled residual.
-    #[error("Newton's iteration does not converge, residual {residual:e}")]
+    #[error("Newton's iteration does not converge, {}", left(*residual))]
     Diverged {
         /// Largest residual, lengths by the mechanism's size [–].
         residual: f64,
@@ -32,5 +32,33 @@ pub enum Failure {
 impl From<Singular> for Failure {
     fn from(_: Singular) -> Self {
         Failure::Singular
+    }
+}
+
+/// What is left of the constraints, in words where it is no number.
+fn left(residual: f64) -> String {
+    if residual.is_finite() {
+        format!("residual {residual:e}")
+    } else {
+        "it leaves the range of numbers".into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// "residual NaN" came into summaries.
+    #[test]
+    fn a_residual_that_is_no_number_is_told_in_words() {
+        for (residual, expected) in [
+            (2e-3, "Newton's iteration does not converge, residual 2e-3"),
+            (
+                f64::NAN,
+                "Newton's iteration does not converge, it leaves the range of numbers",
+            ),
+        ] {
+            assert_eq!(Failure::Diverged { residual }.to_string(), expected);
+        }
     }
 }

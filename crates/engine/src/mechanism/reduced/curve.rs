@@ -127,7 +127,10 @@ impl<'s> Curve<'s> {
     ) -> bool {
         let system = driven.system;
         let column = driven.independent[0].column;
-        let centre = accepted.here.q[column];
+        // Of a curve that comes round nothing is kept: it holds all u but those that are no numbers.
+        let Some(&centre) = accepted.here.q.get(column) else {
+            return false;
+        };
         let angle = system.layout.is_angle(column);
         let unit = if angle { 1.0 } else { system.size };
         let distance = (u - centre).abs();
