@@ -8,6 +8,7 @@ use linkdyn_model::display::DisplayUnits;
 const DIGITS: usize = 5;
 const NO_FIRST: &str =
     "does not exist: a change point, where accuracy goes with the root of the clearance";
+const NOT_FOUND: &str = "not found (what may be off might lead to a singular position)";
 /// Shares of the clearances and tolerances whose reach is printed where nothing is certified.
 const SHARES: [f64; 3] = [0.1, 0.5, 1.0];
 
@@ -73,7 +74,7 @@ pub fn found_of(display: &DisplayUnits, unit: &str, pose: &PoseAccuracy) -> Stri
         }
         [low, high] => {
             let side =
-                |by: Option<f64>| by.map_or("not found".to_owned(), |by| signed(display, unit, by));
+                |by: Option<f64>| by.map_or(NOT_FOUND.to_owned(), |by| signed(display, unit, by));
             format!("{} / {}", side(low), side(high))
         }
     }
@@ -84,7 +85,7 @@ pub fn certified(display: &DisplayUnits, output: &OutputAccuracy, pose: &PoseAcc
     match pose.certified {
         Some(bound) => both(display, output.unit, bound),
         None if output.is_force() => "no bound is proved for forces; the worst found is a corner of all that may be off".into(),
-        None => "no bound could be proved here (near a singular position, or an axis or gear centre has a tolerance)".into(),
+        None => "no bound could be proved here (what may be off might lead to a singular position, or an axis or gear centre has a tolerance)".into(),
     }
 }
 

@@ -1,8 +1,11 @@
 //! What tolerances and clearances do to outputs: against references with 40 digits, and by laws that hold for all models.
 
 mod complaints;
+mod farthest;
 mod forces;
 mod laws;
+#[path = "../../common/accuracy/linkages/mod.rs"]
+mod linkages;
 mod needed;
 #[path = "../../common/accuracy/newton.rs"]
 mod newton;

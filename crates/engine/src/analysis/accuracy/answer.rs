@@ -50,6 +50,8 @@ pub struct PoseAccuracy {
     pub first: Option<[f64; 2]>,
     /// Worst found; none where none was, or was asked for.
     pub found: [Option<f64>; 2],
+    /// What all sources could still gain there, to first order: nothing where the output is stationary.
+    pub lacks: [Option<f64>; 2],
     /// Frames of the moving bodies, x, y \[m\] and angle \[rad\], in the order of the file.
     pub position: Arc<[[f64; 3]]>,
     /// The same where the output is carried farthest, to the lower and the upper side.
@@ -79,20 +81,11 @@ pub(super) fn frames(system: &System, q: &[f64]) -> Vec<[f64; 3]> {
         if body.origin == Vec2::zeros() {
             return [x, y, theta];
         }
-        frame_of(body, &Pose::new(x, y, theta))
+        let pose = Pose::new(x, y, theta);
+        let origin = pose.r + pose.turn(body.origin);
+        [origin.x, origin.y, pose.theta]
     };
     bodies.map(frame).collect()
-}
-
-/// The same of bodies that stand at `poses`, ground first.
-pub(super) fn frames_at(system: &System, poses: &[Pose]) -> Vec<[f64; 3]> {
-    let bodies = system.bodies.iter().zip(&poses[1..]);
-    bodies.map(|(body, pose)| frame_of(body, pose)).collect()
-}
-
-fn frame_of(body: &BodyData, pose: &Pose) -> [f64; 3] {
-    let origin = pose.r + pose.turn(body.origin);
-    [origin.x, origin.y, pose.theta]
 }
 
 impl OutputAccuracy {
@@ -118,6 +111,7 @@ impl PoseAccuracy {
             found: [None; 2],
             position: frames(system, &stand.q).into(),
             displaced: [None, None],
+            lacks: [None; 2],
             needed: [Vec::new(), Vec::new()],
             certified: None,
             moments: None,
@@ -129,17 +123,13 @@ impl PoseAccuracy {
     }
 
     /// Takes where the output is carried farthest.
-    pub(super) fn take(&mut self, found: [Option<Farthest>; 2]) {
+    pub(super) fn take(&mut self, system: &System, found: [Option<Farthest>; 2]) {
         for (side, found) in found.into_iter().enumerate() {
-            if let Some(Farthest {
-                deviation,
-                frames,
-                needed,
-            }) = found
-            {
-                self.needed[side] = needed;
-                self.found[side] = Some(deviation);
-                self.displaced[side] = Some(frames);
+            if let Some(found) = found {
+                self.found[side] = Some(found.deviation);
+                self.displaced[side] = Some(frames(system, &found.q));
+                self.needed[side] = found.needed;
+                self.lacks[side] = Some(found.lacks).filter(|lacks| lacks.is_finite());
             }
         }
     }

@@ -12,6 +12,9 @@ use crate::analysis::clearance_link::forces_at_factors;
 use crate::analysis::sample::Sample;
 use crate::system::System;
 
+/// Deviations that differ by less than this part are the same.
+const SAME: f64 = 1e-10;
+
 /// How much is asked; each level has those before it, too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum Levels {
@@ -93,9 +96,10 @@ impl<'a> Asked<'a> {
         }
         let each = outputs.iter().zip(&mut poses).zip(&loads).zip(begun);
         for (((&index, pose), load), begun) in each {
-            let load = load.as_ref();
-            let found = [0, 1].map(|side| self.found(index, stand, load, (side, begun[side])));
-            pose.take(found);
+            let (load, nominal) = (load.as_ref(), pose.nominal);
+            let found =
+                [0, 1].map(|side| self.found(index, stand, load, (side, begun[side]), nominal));
+            pose.take(self.system, found);
         }
         poses
     }
@@ -152,33 +156,52 @@ impl<'a> Asked<'a> {
         stand: &Stand,
         load: Option<&Load>,
         (side, is_begun): (usize, bool),
+        nominal: f64,
     ) -> Option<Farthest> {
         let output = &self.question.outputs[index].output;
         let mechanism = &mut self.mechanism;
         let search = &mut self.searches[index][side];
-        if let (Some(load), true) = (load, is_begun) {
-            let nominal = (load, self.influences[index].as_slice());
-            let near = mechanism.farthest(stand, output, nominal, search);
-            // Where an output turns back, deviations may be stationary that go less far than none at all.
-            let [own, first] = [1.0, search.deviation].map(|of| of * search.side);
-            let goes = |near: &Farthest| near.deviation * own >= 0.0 || first < 0.0;
-            let near = near.filter(goes);
-            if near.is_some() {
-                return near;
-            }
+        let influences = load.map(|_| self.influences[index].as_slice());
+        let known = load.zip(influences).filter(|_| is_begun);
+        let near = known.and_then(|known| mechanism.farthest(stand, output, known, search));
+        if let (Some(near), Some((_, g))) = (&near, known)
+            && mechanism.is_plain((stand, output), search, g, near)
+        {
+            return Some(near.clone());
         }
-        search.forget();
         let side = search.side;
-        let load = match load {
-            Some(load) => load.times(side),
-            None => {
-                // The self-stress is the load that the equations balance without any on the output.
-                let lambda = stand.self_stress.clone();
-                let lambda = lambda.filter(|stress| !stress.is_empty())?;
-                Load { lambda, size: 0.0 }
-            }
+        // Where sources went to and fro, on from there if nothing is found step by step.
+        let last = known.map(|_| search.last());
+        let found = near.or_else(|| {
+            search.forget();
+            // At a change point the self-stress is the load that the equations balance without any on the output.
+            let stress = || stand.self_stress.clone().filter(|own| !own.is_empty());
+            let load = match load {
+                Some(load) => load.times(side),
+                None => stress().map(|lambda| Load { lambda, size: 0.0 })?,
+            };
+            mechanism.reach(stand, output, load, side)
+        });
+        let from = found.as_ref().or(last.as_ref());
+        let asked = (nominal, influences, side);
+        let farther = mechanism.climb(stand, output, asked, from);
+        let farther = farther.filter(|farther| search.goes(farther.deviation));
+        let (found, farther) = match (found, farther) {
+            (Some(found), Some(farther)) => (found, farther),
+            (found, farther) => return found.or(farther),
         };
-        mechanism.reach(stand, output, load, side)
+        let gained = side * (farther.deviation - found.deviation);
+        let same = SAME * found.deviation.abs();
+        if gained > same {
+            search.forget();
+            return Some(farther.beyond(found));
+        }
+        let lacks = if gained < -same {
+            found.lacks
+        } else {
+            farther.lacks
+        };
+        Some(Farthest { lacks, ..found })
     }
 
     /// Influences, shares and spread.

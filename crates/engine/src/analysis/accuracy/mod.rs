@@ -10,7 +10,7 @@
 //!
 //! ```text
 //! first order      Σ reach of each source with the influences at the nominal position             `source`
-//! worst found      stationary under all sources, at the displaced position                        `worst`, near change points `reach`
+//! worst found      stationary under all sources, at the displaced position                        `worst`, `climb`, near change points `reach`
 //! needed           the share of all sources that a deviation needs                                `needed`
 //! certified        a bound that nothing exceeds, where an interval Newton step contracts          `enclosure`
 //! forces           efforts and joint forces, from statics or inverse dynamics                     `forces`
@@ -21,6 +21,7 @@
 mod allocate;
 mod answer;
 mod chosen;
+mod climb;
 mod corners;
 mod dimensions;
 mod displaced;

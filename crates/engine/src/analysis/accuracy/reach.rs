@@ -15,7 +15,6 @@ mod between;
 mod bordered;
 mod pressed;
 
-use super::answer::frames;
 use super::displaced::{Mechanism, Stand};
 use super::output::{Load, Output};
 use super::search::SILENT;
@@ -175,7 +174,9 @@ impl Bordered<'_, '_> {
                 return Some(Farthest {
                     deviation: reached.y,
                     needed: self.needed(trail),
-                    frames: frames(self.mechanism.driven.system, &reached.q),
+                    q: reached.q,
+                    e: reached.extremes,
+                    lacks: f64::NAN,
                 });
             }
             // Beside a change point c falls again towards the other branch, which the clearance then lets in.

@@ -8,6 +8,7 @@ use super::chosen::Chosen;
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::Load;
 use super::source::Influence;
+use super::worst::Farthest;
 
 /// Poses that are kept: those of a parabola.
 const KEPT: usize = 3;
@@ -104,6 +105,22 @@ impl Search {
     /// The next pose does not go on from the ones before.
     pub fn forget(&mut self) {
         self.past.clear();
+    }
+
+    /// Where it is, whether that is a worst case or not.
+    pub fn last(&self) -> Farthest {
+        Farthest {
+            deviation: f64::NAN,
+            q: self.q.clone(),
+            e: self.chosen.extremes.clone(),
+            lacks: f64::NAN,
+            needed: Vec::new(),
+        }
+    }
+
+    /// Whether a deviation is one to its side: where an output turns back, deviations may be stationary that go less far than none.
+    pub fn goes(&self, deviation: f64) -> bool {
+        deviation * self.side >= 0.0 || self.deviation * self.side < 0.0
     }
 
     /// Looks ahead to a time; whether anything is known.
@@ -267,7 +284,7 @@ impl Mechanism<'_> {
     }
 }
 
-fn add(own: &mut [f64], more: &[f64]) {
+pub(super) fn add(own: &mut [f64], more: &[f64]) {
     own.iter_mut()
         .zip(more)
         .for_each(|(own, more)| *own += more);

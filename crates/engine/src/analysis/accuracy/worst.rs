@@ -11,15 +11,16 @@
 //! y ≈ y(q) − λᵀ (φ(q) + e)
 //! ```
 //!
-//! which is off by the square of what q and λ lack, so that two corrections suffice for most. A stationary output is no
-//! proof; see `enclosure` for one.
+//! which is off by the square of what q and λ lack, so that two corrections suffice for most. Where they do not settle, or a source
+//! may go farther at another side, `climb` goes on. A stationary output is no proof that there is no farther one; see `enclosure`
+//! for that.
 
-use super::answer::frames_at;
 use super::chosen::{Gain, Worth};
+use super::climb::Climb;
 use super::displaced::{Mechanism, Space, Stand};
 use super::output::{Load, Output};
-use super::search::Search;
-use super::source::Influence;
+use super::search::{Search, add};
+use super::source::{Influence, Play};
 
 /// Most corrections.
 const MOST_PASSES: usize = 60;
@@ -43,10 +44,24 @@ const ROUND_OFF: f64 = 2e-16;
 pub(super) struct Farthest {
     /// Deviation of the output [rad or m].
     pub deviation: f64,
-    /// Frames of the moving bodies there.
-    pub frames: Vec<[f64; 3]>,
+    /// Coordinates there (n), and e of the plays.
+    pub q: Vec<f64>,
+    pub e: Vec<Influence>,
+    /// What the sources could still gain, to first order; NaN where that is not known.
+    pub lacks: f64,
     /// On the way there: deviations with the share of the sources that each needs; empty where they were not followed.
     pub needed: Vec<[f64; 2]>,
+}
+
+impl Farthest {
+    /// Where a search has led beyond what another one found, which says what is needed on the way there.
+    pub fn beyond(mut self, other: Farthest) -> Farthest {
+        self.needed = other.needed;
+        if let Some([reached, _]) = self.needed.last_mut() {
+            *reached = self.deviation;
+        }
+        self
+    }
 }
 
 impl Mechanism<'_> {
@@ -86,7 +101,67 @@ impl Mechanism<'_> {
         std::mem::swap(&mut self.chosen, &mut search.chosen);
         let found = self.settle(stand, output, nominal, search);
         std::mem::swap(&mut self.chosen, &mut search.chosen);
-        found
+        found.filter(|found| search.goes(found.deviation))
+    }
+
+    /// The same by steps that gain, on from a place, else from the nominal position, with the output and the influences there.
+    /// The factors are those of the pose again.
+    pub fn climb(
+        &mut self,
+        stand: &Stand,
+        output: &Output,
+        (nominal, influences, side): (f64, Option<&[Influence]>, f64),
+        from: Option<&Farthest>,
+    ) -> Option<Farthest> {
+        let rest = self.rest();
+        let mut climb = Climb {
+            mechanism: self,
+            stand,
+            output,
+            side,
+            nominal,
+            influences,
+        };
+        let top = from.and_then(|from| climb.from(&from.q, &from.e));
+        let top = top.or_else(|| climb.from(&stand.q, &rest));
+        self.stand(stand);
+        let (top, lacks) = top?;
+        Some(Farthest {
+            deviation: top.y,
+            q: top.q,
+            e: top.e,
+            lacks,
+            needed: Vec::new(),
+        })
+    }
+
+    /// Whether no source may go farther at another side than in a search that has `found` this, none of them kept where it was;
+    /// the influences are those last asked for.
+    pub fn is_plain(
+        &mut self,
+        of: (&Stand, &Output),
+        search: &Search,
+        nominal: &[Influence],
+        found: &Farthest,
+    ) -> bool {
+        if found.lacks.is_nan() {
+            return false;
+        }
+        let g = std::mem::take(&mut self.space.influences);
+        let place = (&*found.q, &*found.e, &search.load);
+        let side = (search.side, found.deviation);
+        let turns = self.turns(of, place, (&g, nominal), side);
+        self.space.influences = g;
+        turns.is_empty()
+    }
+
+    /// The e that are nearest to none.
+    fn rest(&self) -> Vec<Influence> {
+        let none = |play: &Play| {
+            let ends = play.ends().unwrap_or_default();
+            [0.0_f64.clamp(ends[0], ends[1]), 0.0]
+        };
+        self.plays.iter().map(none).collect()
     }
 
     fn settle(
@@ -131,8 +206,7 @@ impl Mechanism<'_> {
             let is_near = lacks((CURVED * CURVED * far).min(1.0) * shrunk) <= allowed
                 && turned.max(ended) <= allowed;
             let is_stalled = shrunk <= STALLED && shrunk > 0.3 * size;
-            let step = search.q.iter_mut().zip(&self.space.step);
-            step.for_each(|(q, d)| *q += d);
+            add(&mut search.q, &self.space.step);
             if is_near || is_stalled {
                 let deviation = match is_stalled || lacks(shrunk) <= allowed {
                     true => now,
@@ -142,11 +216,12 @@ impl Mechanism<'_> {
                         self.reading(stand, output, search)
                     }
                 };
-                let frames = frames_at(system, self.here(stand).at.poses);
                 self.keep(stand, nominal, is_moved, search);
-                return deviation.is_finite().then_some(Farthest {
+                return deviation.is_finite().then(|| Farthest {
                     deviation,
-                    frames,
+                    q: search.q.clone(),
+                    e: self.chosen.extremes.clone(),
+                    lacks: if is_kept { f64::NAN } else { turned.max(ended) },
                     needed: Vec::new(),
                 });
             }
@@ -189,8 +264,26 @@ impl Mechanism<'_> {
         if most > 0.0 { largest / most } else { 0.0 }
     }
 
+    /// Corrects q and λ for the deviations chosen; by how much (as in `step` and `rebalance`).
+    pub fn correct(
+        &mut self,
+        stand: &Stand,
+        output: &Output,
+        q: &mut [f64],
+        load: &mut Load,
+    ) -> (f64, f64) {
+        self.take(q, stand);
+        self.place(stand);
+        let leant = self.rebalance(stand, output, load);
+        self.gap(stand);
+        self.lack(load);
+        let size = self.step();
+        add(q, &self.space.step);
+        (size, leant)
+    }
+
     /// The next correction, in `space.step`, and its size.
-    fn step(&mut self) -> f64 {
+    pub fn step(&mut self) -> f64 {
         let Space { right, step, .. } = &mut self.space;
         self.driven.answer(right, step);
         self.driven.system.scaled_norm(step)

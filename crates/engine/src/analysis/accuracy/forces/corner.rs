@@ -3,7 +3,6 @@
 use super::loaded::{Carried, Loaded, Offs, Systems, carried_over};
 use super::slopes::Slope;
 use super::{Posed, extreme, reach};
-use crate::analysis::accuracy::answer::frames;
 use crate::analysis::accuracy::source::Play;
 use crate::analysis::accuracy::worst::Farthest;
 use crate::system::System;
@@ -97,10 +96,9 @@ impl Corner<'_, '_> {
         }
         Some(Farthest {
             deviation: self.deviation(&met),
-            frames: frames(
-                &self.systems.nominal,
-                &carried_over(&met.system, &self.systems.nominal, &met.carried.q),
-            ),
+            q: carried_over(&met.system, &self.systems.nominal, &met.carried.q),
+            e: offs,
+            lacks: f64::NAN,
             needed: Vec::new(),
         })
     }

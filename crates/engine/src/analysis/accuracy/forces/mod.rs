@@ -155,7 +155,7 @@ pub(super) fn answer(
                     levels(&corner, &plays, (pins, limits, scales), &mut pose);
                     if asked.levels > Levels::First && pose.first.is_some() {
                         let found = [-1.0, 1.0].map(|side| corner.farthest(side));
-                        pose.take(found);
+                        pose.take(system, found);
                     }
                 }
             }
