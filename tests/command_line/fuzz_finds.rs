@@ -235,6 +235,38 @@ fn a_captured_command_keeps_its_streams() {
     );
 }
 
+/// The largest force of all is hardly one: `points="NaN,NaN"`.
+#[test]
+fn an_arrow_of_the_least_force_there_is_has_a_length() {
+    let folder =
+        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("finds-{}-least", std::process::id()));
+    let out = folder.to_str().expect("UTF-8");
+    let mut json = slider_crank();
+    json["forces"] =
+        json!({ "load": { "type": "force", "at": "slider.B", "vector": [-3.75e-322, 0] } });
+    assert_eq!(command("least", &["run", "-o", out], &json).status, 0);
+    let picture = folder.join("motion.svg");
+    let words = [
+        "linkdyn",
+        "animate",
+        out,
+        "-o",
+        picture.to_str().expect("UTF-8"),
+    ];
+    assert_eq!(captured(words.map(OsString::from)).status, 0);
+    let drawn = std::fs::read_to_string(&picture).expect("a picture");
+    assert!(drawn.contains("class=\"load\"") && !drawn.contains("NaN"));
+    std::fs::remove_dir_all(folder).expect("removed");
+}
+
+/// A centre of mass that is half a billion links away: the curve of positions was followed in a billion steps.
+#[test]
+fn a_curve_that_bodies_run_along_is_left_in_time() {
+    let mut json = bundled("andrews-squeezer");
+    json["bodies"]["OF"]["com"][1] = json!(-12664853.6);
+    check(&load(&json)).expect("sound");
+}
+
 /// A place, or a rate, of 1e308 in a table of results is none that a picture has: `r="inf"`, `points="NaN,NaN"`.
 #[test]
 fn pictures_of_places_further_than_they_reach_have_gaps() {

@@ -181,8 +181,7 @@ fn draw_loads(scene: &mut Scene, sketch: &Sketch, time: f64) {
             continue;
         }
         let at = sketch.at(point);
-        let per_newton = LARGEST * bar / sketch.mechanism.largest_load;
-        let [dx, dy] = [x * per_newton, -y * per_newton];
+        let [dx, dy] = [x, -y].map(|force| LARGEST * bar * (force / sketch.mechanism.largest_load));
         let tail = [at[0] - dx, at[1] - dy];
         // Where there is no room for the tail the arrow begins at the point.
         let (ends, free, sign) = if sketch.view.shows(tail) {

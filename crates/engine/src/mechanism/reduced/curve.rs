@@ -8,10 +8,14 @@ use crate::mechanism::continuation::{End, HALF_TURN, Parameter, Path, Source, fo
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Inputs, System};
 use linkdyn_linear::math::dot;
+use std::cell::Cell;
 
 /// Farthest point that is looked for from the last accepted one: a stage that lies farther is one of a step that is far too long.
 /// In sizes of the mechanism, or radians.
 const FARTHEST: f64 = 100.0;
+
+/// Steps along it, before it is left where it is: a turn takes some dozens, unless a body reaches very far.
+const MOST_STEPS: u32 = 20_000;
 
 /// S and S' are known to no less than this [rad or sizes].
 const KNOWN: f64 = 1e-12;
@@ -140,12 +144,16 @@ impl<'s> Curve<'s> {
         let reach = (if angle { HALF_TURN } else { system.size }).max(1.5 * distance);
         let mut inputs = inputs.clone();
         inputs.drive.iter_mut().for_each(|jet| jet[1..].fill(0.0));
+        let left = Cell::new(MOST_STEPS);
         let found = follow(
             driven,
             (Parameter::Coordinate, inputs),
             (centre, &accepted.here.q),
             (centre - reach, centre + reach),
-            &|_| false,
+            &|_| {
+                left.set(left.get().saturating_sub(1));
+                left.get() == 0
+            },
         );
         self.path = found.ok();
         if let Some(path) = &mut self.path
