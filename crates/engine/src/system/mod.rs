@@ -50,6 +50,7 @@ use crate::element::{Axis, ConstraintDependentForce, Force, Layout, Marker, Meas
 use crate::motion::Law;
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Index of a joint in the model's order.
@@ -245,6 +246,15 @@ impl System {
             false => self.formulas.len() + self.cams().count(),
         };
         self.contacts.len() + sides
+    }
+
+    /// The formula whose guard this is, with the numbers of its arguments among those of all; none of a contact or a cam.
+    pub(crate) fn formula_of(&self, guard: usize) -> Option<(usize, Range<usize>)> {
+        let number = guard.checked_sub(self.contacts.len())?;
+        let own = self.formulas.get(number)?.arguments.len();
+        let before = self.formulas[..number].iter();
+        let first = before.map(|formula| formula.arguments.len()).sum();
+        Some((number, first..first + own))
     }
 
     /// Number of the arguments of all formulas, where any of them has kinks.

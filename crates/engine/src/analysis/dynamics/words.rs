@@ -167,9 +167,18 @@ pub(super) fn unclosed(system: &System, fault: Fault, now: f64) -> Option<String
         }
         Fault::Inside { contact } => {
             let name = system.owner_words(ContactId(contact));
+            let (why, mend) = match system.contacts[contact].surface {
+                Surface::Rigid(_) => (
+                    "and has not been seen to touch it: steps were too long for it",
+                    "A shorter max_step, or a smaller rtol, sees it",
+                ),
+                Surface::Compliant(_) => (
+                    "deeper in a corner than its walls reach: they yield too much",
+                    "A larger stiffness keeps it out",
+                ),
+            };
             format!(
-                "at t = {when} the tip of {name} is inside its outline, and has not been seen to touch it: steps were too long for \
-                 it; the rows until there are kept. A shorter max_step, or a smaller rtol, sees it"
+                "at t = {when} the tip of {name} is inside its outline, {why}; the rows until there are kept. {mend}"
             )
         }
         Fault::TooSmall { .. }

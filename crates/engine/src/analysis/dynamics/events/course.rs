@@ -8,7 +8,7 @@
 //!
 //! How far it is off is the course's **doubt**. p ± e are polynomials of degree four, which their Bernstein coefficients bound.
 
-use crate::analysis::dynamics::flow::Sample;
+use crate::analysis::dynamics::flow::{Least, Sample};
 
 /// How often a course is halved until a part in which a guard may rise above zero is taken for one.
 const HALVINGS: usize = 10;
@@ -132,21 +132,30 @@ pub struct Course {
     rooms: [[f64; 2]; 2],
     /// The least rise of an event, by the width.
     least: f64,
+    /// What its values are rounded by, where that is more than it changes by.
+    rounded: f64,
     has_rate: bool,
     width: f64,
 }
 
 impl Course {
-    /// Of samples that are this far apart, of a guard of which a rate makes no event that is not above the least.
-    pub fn new([from, to]: [&Sample; 2], least: f64, width: f64) -> Self {
-        let values = [from.value, to.value];
+    /// Of samples that are this far apart, of a guard of which so much makes no event.
+    pub fn new([from, to]: [&Sample; 2], least: Least, width: f64) -> Self {
+        let mut values = [from.value, to.value];
         let slopes = [from.rate * width, to.rate * width];
         let has_rate = !slopes.iter().any(|slope| slope.is_nan());
+        // Where it moves by less than places can tell, the rates tell it.
+        let moves = slopes[0].abs().max(slopes[1].abs());
+        let is_still = moves.max((values[1] - values[0]).abs()) <= least.change;
+        if is_still {
+            values[1] = values[0] + 0.5 * (slopes[0] + slopes[1]);
+        }
+        let rounded = if is_still { least.change } else { 0.0 };
         // One that is not above zero can't be without a rise.
         let least = if from.value > 0.0 {
-            least
+            least.rate
         } else {
-            least.max(0.0)
+            least.rate.max(0.0)
         };
         Course {
             value: match has_rate {
@@ -155,6 +164,7 @@ impl Course {
             },
             rooms: [0, 1].map(|k| [from.rooms[k], to.rooms[k]].map(|room| room.min(FAR))),
             least: least * width,
+            rounded,
             has_rate,
             width,
         }
@@ -174,7 +184,7 @@ impl Course {
             straight * (sample.rooms[k].min(FAR) - from - x * (to - from)).abs()
         });
         let [value, slope] = self.value.at(x);
-        let off = (sample.value - value).abs();
+        let off = ((sample.value - value).abs() - self.rounded).max(0.0);
         let value = match self.has_rate {
             true => {
                 // That of degree five is known by the slopes.

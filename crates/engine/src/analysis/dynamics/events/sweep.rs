@@ -11,7 +11,7 @@
 use super::course::{Course, Doubt};
 use super::locate::{Bracket, Point};
 use crate::analysis::dynamics::fault::Fault;
-use crate::analysis::dynamics::flow::{Flow, Mark, Sample};
+use crate::analysis::dynamics::flow::{Flow, Least, Mark, Sample};
 use crate::analysis::dynamics::steps::LastStep;
 
 /// Samples that are nearer to each other than this part of the step tell more of their own errors than of the course.
@@ -66,7 +66,7 @@ struct Open {
     guard: usize,
     from: f64,
     to: f64,
-    least: f64,
+    least: Least,
     doubt: Doubt,
 }
 
@@ -103,27 +103,15 @@ impl Sweep {
         }
         self.gather(step.flow, (step.from(), step.to()));
         self.opens.clear();
-        let contacts = step.flow.system().contacts.len();
-        let mut first_argument = 0;
-        for guard in 0..step.flow.system().guards() {
-            let formula = step
-                .flow
-                .system()
-                .formulas
-                .get(guard.wrapping_sub(contacts));
-            let arguments = formula.map_or(0, |formula| formula.arguments.len());
+        let system = step.flow.system();
+        for guard in 0..system.guards() {
             if self.may_rise(guard) {
                 self.follow(guard);
-                if formula.is_some() {
-                    self.follow_finer(
-                        step.flow,
-                        guard - contacts,
-                        first_argument..first_argument + arguments,
-                    );
+                if let Some((formula, arguments)) = system.formula_of(guard) {
+                    self.follow_finer(step.flow, formula, arguments);
                 }
-                self.open(guard, step.flow.least_rate(guard), until);
+                self.open(guard, step.flow.least(guard), until);
             }
-            first_argument += arguments;
         }
         self.opens
             .sort_by(|one, other| one.from.total_cmp(&other.from));
@@ -232,7 +220,7 @@ impl Sweep {
                         rate: *rate,
                         ..Sample::of(*value)
                     });
-                    *level = Course::new([&ends[0], &ends[1]], 0.0, width).value_at(x);
+                    *level = Course::new([&ends[0], &ends[1]], Least::default(), width).value_at(x);
                 }
                 let guard = flow.guard_at(formula, &levels[..arguments.len()]);
                 self.series
@@ -243,7 +231,7 @@ impl Sweep {
     }
 
     /// Notes the parts of the step in which the guard at hand may be above zero before a time at which none is.
-    fn open(&mut self, guard: usize, least: f64, until: f64) {
+    fn open(&mut self, guard: usize, least: Least, until: f64) {
         let series = &self.series;
         let course = |from: usize, to: usize| {
             let [(from, one), (to, other)] = [&series[from], &series[to]];

@@ -9,6 +9,17 @@ use crate::element::pair::{Phase, Reading, Surface};
 const REMEMBERED: usize = 24;
 /// Penetration, in parts of the mechanism, that round-off may make.
 const GRAZE: f64 = 1e-12;
+/// What places are rounded by, in parts of the mechanism.
+const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
+
+/// What of a guard makes no event: a rate that is not above this, and a change of its value that is not.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Least {
+    /// In its unit by second.
+    pub rate: f64,
+    /// In its unit.
+    pub change: f64,
+}
 
 /// A guard at one time, by functions that are smooth within a step, above zero together where it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -172,15 +183,19 @@ impl<'s> Flow<'s> {
         }
     }
 
-    /// A rate of a guard that is not above this makes no event.
-    pub fn least_rate(&self, guard: usize) -> f64 {
+    /// What of a guard makes no event.
+    pub fn least(&self, guard: usize) -> Least {
         let system = self.system();
-        let surface = system.contacts.get(guard).map(|pair| &pair.surface);
-        let is_flying = |guard: usize| self.memories()[guard].phase == Phase::Flight;
-        match surface {
-            Some(Surface::Rigid(_)) if is_flying(guard) => creep(&system.scale),
-            Some(Surface::Compliant(_)) if is_flying(guard) => f64::NEG_INFINITY,
-            _ => 0.0,
+        let Some(pair) = system.contacts.get(guard) else {
+            return Least::default();
+        };
+        Least {
+            rate: match (self.memories()[guard].phase, &pair.surface) {
+                (Phase::Flight, Surface::Rigid(_)) => creep(&system.scale),
+                (Phase::Flight, Surface::Compliant(_)) => f64::NEG_INFINITY,
+                _ => 0.0,
+            },
+            change: ROUND_OFF * system.scale.length.max(pair.size()),
         }
     }
 

@@ -18,7 +18,7 @@ use crate::mechanism::reduced::Reduced;
 use crate::system::System;
 use formulas::{levels, sample_sides};
 use marks::Marks;
-pub use marks::{Mark, Sample};
+pub use marks::{Least, Mark, Sample};
 use sustained::{Grip, Sustained};
 
 /// Components of a ledger that is short.
