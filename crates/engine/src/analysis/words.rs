@@ -24,11 +24,15 @@ pub fn listed<S: AsRef<str>>(names: &[S], between: &str) -> String {
 
 /// What to say where a force that depends on multipliers has no finite size.
 pub fn locked(system: &System, force: usize) -> String {
-    let block = &system.blocks[system.dependent_forces[force].block];
+    let own = system.dependent_forces.get(force);
+    let name = own.map_or_else(
+        // One of rows that a contact held.
+        || "a contact".into(),
+        |own| system.origin_name(&system.blocks[own.block].origin),
+    );
     format!(
-        "{} locks itself: its friction grows with its reaction faster than it can be balanced (no motion satisfies the \
-         equations)",
-        system.origin_name(&block.origin)
+        "{name} locks itself: its friction grows with its reaction faster than it can be balanced (no motion satisfies the \
+         equations)"
     )
 }
 

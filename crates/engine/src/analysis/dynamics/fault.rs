@@ -97,8 +97,9 @@ impl Fault {
         let system = flow.system();
         let rows = match self {
             Fault::Unsolved(Failure::Locked { force }) => {
-                let block = &system.blocks[system.dependent_forces[force].block];
-                (block.rows()).collect()
+                // Rows that contacts hold may have forces of their own, which are gone with them.
+                let own = system.dependent_forces.get(force);
+                own.map_or_else(Vec::new, |own| system.blocks[own.block].rows().collect())
             }
             Fault::Unsolved(
                 Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. },
