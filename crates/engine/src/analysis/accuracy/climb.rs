@@ -101,14 +101,11 @@ impl Climb<'_, '_> {
         at
     }
 
-    /// What the influences promise of deviations that go elsewhere.
     fn promise(&self, from: &Place, to: &[Influence], g: &[Influence]) -> f64 {
-        let each = from.e.iter().zip(to).zip(g);
-        let each = each.map(|((e, to), g)| g[0] * (to[0] - e[0]) + g[1] * (to[1] - e[1]));
-        self.side * each.sum::<f64>()
+        self.side * promise(&from.e, to, g)
     }
 
-    /// The same of the best: the output can't gain more, to first order.
+    /// The most that influences promise: the output can't gain more, to first order.
     fn lacks(&self, at: &Place) -> f64 {
         let best = self.pressed(at, f64::INFINITY);
         self.promise(at, &best, &at.g).max(0.0)
@@ -270,11 +267,7 @@ impl Mechanism<'_> {
             own <= (LEFT_OUT * left_out).max(TURNED * by) && own.max(by) > WORTH * deviation.abs()
         };
         let mut weak: Vec<usize> = (0..plays.len()).filter(is_weak).collect();
-        let promise = |to: &[Influence]| {
-            let each = to.iter().zip(e).zip(g);
-            let each = each.map(|((to, e), g)| g[0] * (to[0] - e[0]) + g[1] * (to[1] - e[1]));
-            side * each.sum::<f64>()
-        };
+        let promise = |to: &[Influence]| side * promise(e, to, g);
         // What goes through the same joint turns over together; what carries the output farther than that bends it stays.
         let mut turns = Vec::new();
         while !weak.is_empty() {
@@ -327,6 +320,13 @@ impl Mechanism<'_> {
         });
         bent - straight
     }
+}
+
+/// What the influences promise of deviations that go elsewhere.
+fn promise(from: &[Influence], to: &[Influence], g: &[Influence]) -> f64 {
+    let each = from.iter().zip(to).zip(g);
+    each.map(|((e, to), g)| g[0] * (to[0] - e[0]) + g[1] * (to[1] - e[1]))
+        .sum()
 }
 
 /// Whether other deviations gain, or that is not known.
