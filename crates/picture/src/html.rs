@@ -9,14 +9,32 @@ use super::palette;
 
 pub(crate) use super::svg::escape as text;
 
-const FRAME: &str = include_str!("frame.html");
-const LIVE: &str = include_str!("live.html");
-const PLOT_STYLE: &str = include_str!("report/vendor/uPlot.min.css");
-const PLOT_LIBRARY: &str = include_str!("report/vendor/uPlot.iife.min.js");
+const FRAME: &str = include_str!("page/frame.html");
+const HEAD: &str = include_str!("page/head.html");
+const LIVE: &str = include_str!("page/live.html");
+pub const STYLE: &str = include_str!("page/page.css");
+/// What all scripts of pages build on, in their order.
+const SHARED: [&str; 7] = [
+    include_str!("page/js/embedded.js"),
+    include_str!("page/js/theme.js"),
+    include_str!("page/js/units.js"),
+    include_str!("page/js/page.js"),
+    include_str!("page/js/axes.js"),
+    include_str!("page/js/marks.js"),
+    include_str!("page/js/tables.js"),
+];
+/// Where bodies and points are: after the data of a page.
+pub const PLACES: &str = include_str!("page/js/places.js");
+/// The instant that is shown; its time and rows may change.
+pub const PLAYER: &str = include_str!("page/js/player.js");
+/// The mechanism on a canvas.
+pub const DRAWING: &str = include_str!("page/js/drawing.js");
+const PLOT_STYLE: &str = include_str!("page/vendor/uPlot.min.css");
+const PLOT_LIBRARY: &str = include_str!("page/vendor/uPlot.iife.min.js");
 /// Its licence asks to stand in every copy.
-const LICENCE: &str = include_str!("report/vendor/uPlot.LICENSE");
+const LICENCE: &str = include_str!("page/vendor/uPlot.LICENSE");
 
-/// A page.
+/// A page of text and pictures.
 #[derive(Debug)]
 pub struct Page<'a> {
     /// What its tab says, as plain text.
@@ -25,59 +43,66 @@ pub struct Page<'a> {
     pub styles: &'a [&'a str],
     /// What stands in it, as HTML.
     pub body: &'a str,
-    /// Its data and the script that shows them; none in a page that is text and pictures.
-    pub live: Option<Live<'a>>,
 }
 
-/// Data of a page, and what is made of them. Plots are drawn by uPlot.
+/// A page with data, and scripts that show them. It has the head, the rules and the scripts of all such pages, and its own after them.
+/// Plots are drawn by uPlot.
 #[derive(Debug)]
 pub struct Live<'a> {
+    /// What its tab says until the script knows better, as plain text.
+    pub title: &'a str,
+    /// Its own rules.
+    pub style: &'a str,
+    /// What stands below the head, as HTML.
+    pub body: &'a str,
+    /// Its own scripts, in the order in which they build on each other.
+    pub scripts: &'a [&'a str],
     /// Words and numbers as JSON, made safe by [`escaped`].
     pub data: &'a str,
     /// Many numbers in base64.
     pub values: &'a str,
-    /// What acts, after uPlot.
-    pub script: &'a str,
 }
 
 impl Page<'_> {
     /// The page as the text of a file, which needs nothing else.
     pub fn html(&self) -> String {
-        let colours = palette::style_sheet();
-        let mut styles = vec![colours.as_str()];
-        styles.extend(self.styles);
-        let (mut scripts, mut live) = (Vec::new(), String::new());
-        if let Some(Live {
-            data,
-            values,
-            script,
-        }) = self.live
-        {
-            styles.insert(0, PLOT_STYLE);
-            scripts = vec![PLOT_LIBRARY, script];
-            live = fill(
-                LIVE,
-                &[
-                    ("data", data),
-                    ("values", values),
-                    ("licence", LICENCE),
-                    ("plot_library", PLOT_LIBRARY),
-                    ("script", script),
-                ],
-            );
-        }
-        let style = styles.join("\n");
-        fill(
-            FRAME,
-            &[
-                ("policy", &policy(&scripts, &style)),
-                ("title", &text(self.title)),
-                ("style", &style),
-                ("body", self.body),
-                ("live", &live),
-            ],
-        )
+        framed(self.title, self.styles, self.body, &[])
     }
+}
+
+impl Live<'_> {
+    /// The page as the text of a file, which needs nothing else.
+    pub fn html(&self) -> String {
+        let script = [&SHARED, self.scripts].concat().concat();
+        let live = fill(
+            LIVE,
+            &[
+                ("data", self.data),
+                ("values", self.values),
+                ("licence", LICENCE),
+                ("plot_library", PLOT_LIBRARY),
+                ("script", &script),
+            ],
+        );
+        let body = [HEAD, self.body, "<footer id=\"foot\"></footer>\n", &live].concat();
+        let styles = [PLOT_STYLE, STYLE, self.style];
+        framed(self.title, &styles, &body, &[PLOT_LIBRARY, &script])
+    }
+}
+
+fn framed(title: &str, styles: &[&str], body: &str, scripts: &[&str]) -> String {
+    let style = [&[palette::style_sheet().as_str()], styles]
+        .concat()
+        .join("\n");
+    fill(
+        FRAME,
+        &[
+            ("policy", &policy(scripts, &style)),
+            ("title", &text(title)),
+            ("style", &style),
+            ("body", body),
+        ],
+    )
 }
 
 /// A template with its `{{words}}` replaced, in one pass: what is put in is not looked at again.
@@ -131,15 +156,14 @@ pub fn escaped(json: &str) -> String {
 }
 
 #[cfg(test)]
-pub fn can_stand_in_a_page(text: &str) -> bool {
-    let text = text.to_lowercase();
-    !text.contains("</script") && !text.contains("<!--") && !text.contains("</style")
-}
-
-#[cfg(test)]
 mod tests {
     use super::*;
     use serde_json::json;
+
+    fn can_stand_in_a_page(text: &str) -> bool {
+        let text = text.to_lowercase();
+        !text.contains("</script") && !text.contains("<!--") && !text.contains("</style")
+    }
 
     #[test]
     fn what_is_put_in_is_not_looked_at_again() {
@@ -161,7 +185,6 @@ mod tests {
             title: "<script>",
             styles: &["p { margin: 0; }"],
             body: "<p>{{data}}</p>\n",
-            live: None,
         }
         .html();
         assert!(page.contains("script-src 'none'; style-src 'sha256-"));
@@ -171,15 +194,13 @@ mod tests {
 
     #[test]
     fn a_live_page_holds_its_parts_and_allows_two_scripts() {
-        let page = Page {
+        let page = Live {
             title: "t",
-            styles: &[],
+            style: "",
             body: "<p>{{values}}</p>\n",
-            live: Some(Live {
-                data: "{\"a\":\"{{script}}\"}",
-                values: "AAAA",
-                script: "acts();",
-            }),
+            data: "{\"a\":\"{{script}}\"}",
+            values: "AAAA",
+            scripts: &["acts();"],
         }
         .html();
         assert!(page.contains("id=\"data\">{\"a\":\"{{script}}\"}</script>"));
@@ -187,7 +208,7 @@ mod tests {
         let (_, rest) = page.split_once("script-src ").expect("a policy");
         let (sources, _) = rest.split_once(';').expect("an end");
         assert_eq!(sources.matches("'sha256-").count(), 2, "{sources}");
-        for word in ["policy", "title", "style", "body", "live", "licence"] {
+        for word in ["policy", "title", "style", "body", "licence"] {
             assert!(!page.contains(&format!("{{{{{word}}}}}")), "{word}");
         }
     }
@@ -204,8 +225,18 @@ mod tests {
     }
 
     #[test]
-    fn the_library_can_stand_in_a_page() {
-        assert!(can_stand_in_a_page(PLOT_LIBRARY) && can_stand_in_a_page(PLOT_STYLE));
+    fn scripts_and_rules_can_stand_in_a_page() {
+        let shared = SHARED.iter().chain(&[PLACES, PLAYER, DRAWING]);
+        let own = crate::report::SCRIPTS
+            .iter()
+            .chain(crate::study_page::SCRIPTS);
+        let own = own
+            .chain(crate::accuracy_page::SCRIPTS)
+            .chain(crate::compare_page::SCRIPTS);
+        let rules = [PLOT_LIBRARY, PLOT_STYLE, STYLE];
+        for text in shared.chain(own).chain(&rules) {
+            assert!(can_stand_in_a_page(text), "{text:.200}");
+        }
         assert!(
             !LICENCE.contains("--"),
             "it would end the comment it stands in"

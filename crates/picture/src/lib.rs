@@ -14,6 +14,7 @@
 //! | `style`     | colours, dashes and markers that differ in grey print too       |
 //! | `palette`   | all colours, of figures and of the page                         |
 //! | `scene`     | lines, areas, texts                                             |
+//! | `sign`      | what a sign is made of, and how it gets onto a page             |
 //! | `symbols`   | markers, and the signs of joints, springs, drivers and loads    |
 //! | `font`      | the vendored font: widths and outlines                          |
 //! | `svg`       | scene → SVG                                                     |
@@ -22,14 +23,14 @@
 //! | `cut`       | where an axis ends, so that peaks do not flatten the rest       |
 //! | `shape`     | what a mechanism is made of, from a model or a summary          |
 //! | `poses`     | where its bodies are, from a table of results                   |
-//! | `mechanism` | shape and poses → scene                                         |
+//! | `mechanism` | shape and poses → scene, or parts that a page moves             |
 //! | `report`    | shape, summary and results → `report.html`                      |
 //! | `accuracy_page` | levels, contributions, worst configurations → `report.html` of accuracy |
 //! | `compare_page` | several runs over each other → `compare.html`                |
 //! | `study_page` | what was varied, what came of it, motions of variants → `report.html` of study |
 //! | `validate_page` | claims of validation cases → pages                          |
-//! | `html`      | one frame for all pages; data, scripts and a policy → one file  |
-//! | `scripts`   | what the pages share of their scripts                           |
+//! | `numbers`   | numbers of a page as compact text                               |
+//! | `html`      | one frame, head, rules and scripts for all pages; data and a policy → one file |
 //! | `played`    | scenes → an SVG that moves                                      |
 //! | `sheet`     | a page without scripts                                          |
 //! | `swing`     | shapes of small motions → a page                                |
@@ -60,10 +61,11 @@ pub mod words;
 mod fault;
 mod html;
 mod layout;
+mod numbers;
 mod played;
 mod scale;
-mod scripts;
 mod sheet;
+mod sign;
 mod style;
 mod symbols;
 mod trace;

@@ -28,37 +28,41 @@ const BODIES: [Rgb; 7] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, SLATE];
 /// A colour on light and on dark ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Tone {
+    /// What the page's style sheet calls it; empty where that has no name for it.
+    pub name: &'static str,
     /// On paper, and in the light theme.
     pub light: Rgb,
     /// In the dark theme.
     pub dark: Rgb,
 }
 
-const fn tone(light: Rgb, dark: Rgb) -> Tone {
-    Tone { light, dark }
+const fn tone(name: &'static str, light: Rgb, dark: Rgb) -> Tone {
+    Tone { name, light, dark }
 }
 
 /// Ground of drawings and plots.
-pub const CARD: Tone = tone(WHITE, [0x16, 0x1c, 0x23]);
+pub const CARD: Tone = tone("card", WHITE, [0x16, 0x1c, 0x23]);
 /// Text, springs.
-pub const INK: Tone = tone([0x16, 0x20, 0x2b], [0xe4, 0xe9, 0xef]);
-/// Pins and welds.
-pub const STEEL: Tone = tone([0x3d, 0x48, 0x54], [0xc3, 0xcc, 0xd6]);
+pub const INK: Tone = tone("ink", [0x16, 0x20, 0x2b], [0xe4, 0xe9, 0xef]);
+/// Inside of pins.
+pub const PIN: Tone = tone("pin", WHITE, [0x0e, 0x13, 0x18]);
+/// Edges of pins, and welds.
+pub const STEEL: Tone = tone("steel", [0x3d, 0x48, 0x54], [0xc3, 0xcc, 0xd6]);
 /// What does not move.
-pub const GROUND: Tone = tone([0x6d, 0x77, 0x82], [0x88, 0x94, 0xa1]);
+pub const GROUND: Tone = tone("ground", [0x6d, 0x77, 0x82], [0x88, 0x94, 0xa1]);
 /// Drivers; what can be clicked.
-pub const ACCENT: Tone = tone([0x0b, 0x5c, 0xad], [0x79, 0xb8, 0xff]);
+pub const ACCENT: Tone = tone("accent", [0x0b, 0x5c, 0xad], [0x79, 0xb8, 0xff]);
 /// Applied forces and torques.
-pub const LOAD: Tone = tone([0x6b, 0x2f, 0xa0], [0xc9, 0xa0, 0xff]);
+pub const LOAD: Tone = tone("load", [0x6b, 0x2f, 0xa0], [0xc9, 0xa0, 0xff]);
 /// Forces in joints, clearances.
-pub const FORCE: Tone = tone([0xb3, 0x26, 0x1e], [0xff, 0x8a, 0x80]);
+pub const FORCE: Tone = tone("force", [0xb3, 0x26, 0x1e], [0xff, 0x8a, 0x80]);
 
 /// What is less important.
-pub const MUTED: Tone = tone([0x56, 0x62, 0x70], [0x9b, 0xa8, 0xb6]);
+pub const MUTED: Tone = tone("muted", [0x56, 0x62, 0x70], [0x9b, 0xa8, 0xb6]);
 /// What is to be doubted.
-pub const WARN: Tone = tone([0x8a, 0x4b, 0x00], [0xf0, 0xb4, 0x5c]);
+pub const WARN: Tone = tone("warn", [0x8a, 0x4b, 0x00], [0xf0, 0xb4, 0x5c]);
 /// What is wrong.
-pub const BAD: Tone = tone([0xa3, 0x20, 0x1a], [0xff, 0x8f, 0x85]);
+pub const BAD: Tone = tone("bad", [0xa3, 0x20, 0x1a], [0xff, 0x8f, 0x85]);
 
 /// Axes of a chart.
 pub const AXIS: Rgb = [60; 3];
@@ -67,23 +71,23 @@ pub const GRID: Rgb = [215; 3];
 /// Marks of a chart.
 pub const MARK: Rgb = [120; 3];
 
-/// Names by which the page's style sheet and scripts know the colours.
-const NAMED: [(&str, Tone); 15] = [
-    ("bg", tone([0xf3, 0xf5, 0xf8], [0x0e, 0x13, 0x18])),
-    ("card", CARD),
-    ("ink", INK),
-    ("muted", MUTED),
-    ("line", tone([0xd5, 0xdb, 0xe3], [0x2d, 0x37, 0x42])),
-    ("grid", tone([0xe6, 0xea, 0xef], [0x23, 0x2c, 0x35])),
-    ("accent", ACCENT),
-    ("good", tone([0x17, 0x69, 0x3a], [0x63, 0xcf, 0x8f])),
-    ("warn", WARN),
-    ("bad", BAD),
-    ("load", LOAD),
-    ("force", FORCE),
-    ("pin", tone(WHITE, [0x0e, 0x13, 0x18])),
-    ("steel", STEEL),
-    ("ground", GROUND),
+/// The colours that the page's style sheet and scripts know by name.
+const NAMED: [Tone; 15] = [
+    tone("bg", [0xf3, 0xf5, 0xf8], [0x0e, 0x13, 0x18]),
+    CARD,
+    INK,
+    MUTED,
+    tone("line", [0xd5, 0xdb, 0xe3], [0x2d, 0x37, 0x42]),
+    tone("grid", [0xe6, 0xea, 0xef], [0x23, 0x2c, 0x35]),
+    ACCENT,
+    tone("good", [0x17, 0x69, 0x3a], [0x63, 0xcf, 0x8f]),
+    WARN,
+    BAD,
+    LOAD,
+    FORCE,
+    PIN,
+    STEEL,
+    GROUND,
 ];
 
 /// Fill and outline of a body.
@@ -105,8 +109,8 @@ pub fn body(number: usize) -> BodyColours {
     };
     let hue = BODIES[index % BODIES.len()];
     BodyColours {
-        fill: tone(mix(hue, WHITE, 0.62), mix(hue, CARD.dark, 0.55)),
-        line: tone(mix(hue, BLACK, 0.38), mix(hue, WHITE, 0.45)),
+        fill: tone("", mix(hue, WHITE, 0.62), mix(hue, CARD.dark, 0.55)),
+        line: tone("", mix(hue, BLACK, 0.38), mix(hue, WHITE, 0.45)),
     }
 }
 
@@ -114,6 +118,7 @@ pub fn body(number: usize) -> BodyColours {
 pub fn curve(number: usize) -> Tone {
     let light = CURVES[number % CURVES.len()];
     tone(
+        "",
         light,
         mix(light, WHITE, if light == BLACK { 0.85 } else { 0.4 }),
     )
@@ -133,7 +138,8 @@ fn hex([r, g, b]: Rgb) -> String {
 /// The named colours as custom properties of a style sheet.
 pub fn style_sheet() -> String {
     let mut text = String::from(":root {\n");
-    for (name, tone) in NAMED {
+    for tone in NAMED {
+        let name = tone.name;
         let [light, dark] = [hex(tone.light), hex(tone.dark)];
         // Writing to a String can't fail.
         let _ = writeln!(text, "  --{name}: light-dark({light}, {dark});");

@@ -3,9 +3,11 @@
 //! Between outputs x, y and angle follow the cubic polynomials through values and rates of both outputs where the table has
 //! rates, else straight lines; across a gap there is no pose.
 
+use std::collections::HashMap;
+
 use super::fault::Fault;
-use super::shape::Shape;
-use linkdyn_output::Table;
+use super::shape::{Body, Shape};
+use linkdyn_output::{Table, Trajectory};
 
 /// Place and angle of a body's frame: x, y \[m\], angle \[rad\].
 pub type Pose = [f64; 3];
@@ -15,6 +17,9 @@ type Coordinate = (Vec<f64>, Option<Vec<f64>>);
 
 /// What lies farther is no place [m, rad]: tables of others may hold any number, and pictures can't.
 const FARTHEST: f64 = 1e60;
+
+/// Poses of single bodies that tell how far a mechanism reaches, at most.
+const MOST_POSES: usize = 200_000;
 
 fn is_place(value: &f64) -> bool {
     value.abs() <= FARTHEST
@@ -27,6 +32,42 @@ pub struct Poses {
     pub time: Vec<f64>,
     /// x, y and angle of each body but the ground.
     bodies: Vec<[Coordinate; 3]>,
+}
+
+impl Shape {
+    /// Poses of all bodies, the ground first, in so many rows of a table of results or fewer, evenly chosen; none where columns are
+    /// missing.
+    pub(crate) fn poses_in(&self, table: &Trajectory, most: usize) -> Vec<Vec<Pose>> {
+        let places = table
+            .columns
+            .iter()
+            .map(|column| column.name.as_str())
+            .zip(0..);
+        let places: HashMap<&str, usize> = places.collect();
+        let names = self.bodies.iter().skip(1);
+        let columns: Option<Vec<[usize; 3]>> = names
+            .map(|Body { name, .. }| {
+                let [x, y, angle] =
+                    ["x", "y", "angle"].map(|axis| places.get(format!("{name}.{axis}").as_str()));
+                Some([*x?, *y?, *angle?])
+            })
+            .collect();
+        let Some(columns) = columns else {
+            return Vec::new();
+        };
+        let count = table.len();
+        let step = count
+            .div_ceil(most.min(MOST_POSES / self.bodies.len().max(1)).max(2))
+            .max(1);
+        let rows = (0..count).step_by(step).chain(count.checked_sub(1));
+        let pose = |row: usize| {
+            let row = &table.data[row * table.width()..];
+            let moving = columns.iter().map(|places| places.map(|place| row[place]));
+            let pose: Vec<Pose> = [[0.0; 3]].into_iter().chain(moving).collect();
+            pose.iter().flatten().all(is_place).then_some(pose)
+        };
+        rows.filter_map(pose).collect()
+    }
 }
 
 impl Poses {
@@ -209,7 +250,6 @@ pub fn global([x, y, angle]: Pose, [u, v]: [f64; 2]) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::shape::Body;
     use super::*;
     use linkdyn_output::read::ReadColumn;
 

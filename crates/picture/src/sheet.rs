@@ -47,7 +47,6 @@ pub fn styled_page(title: &str, facts: &[String], main: &str, rules: &str) -> St
         title: &words::printable(title),
         styles: &[STYLE, rules],
         body: &format!("<header>\n<h1>{heading}</h1>\n{facts}</header>\n<main>\n{main}</main>\n"),
-        live: None,
     }
     .html()
 }

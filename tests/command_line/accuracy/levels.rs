@@ -7,7 +7,7 @@ use serde_json::json;
 /// What a browser shows of the page.
 const PROBE: &str = "setTimeout(() => answer({ foot: document.getElementById('foot').textContent, \
     legend: document.getElementById('legend').textContent, worst: document.getElementById('worst').hidden, \
-    note: document.getElementById('band_note').textContent, badge: document.querySelector('.badge').textContent, \
+    note: document.getElementById('band_note').textContent, badge: document.querySelector('#outputs .badge').textContent, \
     tiles: [...document.querySelectorAll('#outputs .tile .muted')].map((tile) => tile.textContent) }), 300);";
 
 fn at_levels(levels: &[&str]) -> (String, String, Value) {
@@ -122,8 +122,8 @@ fn other_levels_are_refused() {
 fn the_page_leaves_levels_out() {
     let Some(browser) = find() else { return };
     let unasked = [
-        "Worst found and certified bound were not asked for.",
-        "The certified bound was not asked for.",
+        "The worst found and the certified bound were not requested.",
+        "The certified bound was not requested.",
     ];
     let badges = ["limits exceeded to first order at", "limits exceeded at"];
     for (level, levels) in ["first", "worst"].into_iter().enumerate() {

@@ -3,7 +3,7 @@
   const wait = (time) => new Promise((done) => setTimeout(done, time));
   const box = (node) => node.getBoundingClientRect();
   const id = (name) => document.getElementById(name);
-  const { choice, outputs, bandPlot, worst, marks, sources, file } = linkdyn;
+  const { choice, outputs, bandPlot, worst, bands, sources, file } = linkdyn;
   await wait(300);
   const tiles = (node) => Object.fromEntries([...node.querySelectorAll(".tile")].map(({ children: [label, text] }) => [label.textContent, text.textContent]));
   const rows = () => { const texts = [...document.querySelectorAll(".shares > :not(.bar)")].map((node) => node.textContent).slice(5); return Array.from({ length: texts.length / 4 }, (_, k) => texts.slice(4 * k, 4 * k + 4)); };
@@ -14,7 +14,7 @@
     plot_bottom: bandPlot.u ? box(bandPlot.u.over).bottom : null, plot_tall: bandPlot.u ? box(bandPlot.u.over).height : null,
     outputs: [...document.querySelectorAll("#outputs > *")].map((node) => ({ name: node.querySelector("strong").textContent, badge: node.querySelector(".badge")?.textContent ?? null, tiles: tiles(node) })),
     time: choice.at("time"), shares: rows(), bars: bars(), peaks: bandPlot.peaks, note: id("band_note").textContent,
-    open: outputs.map((output) => marks.runs(output).filter(([, , certified]) => !certified).map(([from, to]) => to - from + 1)),
+    open: outputs.map((output) => bands.runs(output).filter(([, , certified]) => !certified).map(([from, to]) => to - from + 1)),
     details: outputs.map(({ details }) => details.length), foot: id("foot").textContent,
     sides: [...document.querySelectorAll("#sides button")].map((node) => node.textContent), factor: worst.factor, factor_told: id("factor_is").textContent,
     needed: { hidden: id("needed").hidden, note: id("needed_note").textContent, ends: [...document.querySelectorAll("#needed_plot circle")].map((dot) => Number(dot.getAttribute("cx"))),

@@ -17,7 +17,7 @@
   told.rms_force = contact.differences[force][3];
 
   // Texts of the head, of the bar and of readouts that cover each other.
-  const nodes = [...document.querySelectorAll("#name, #changes, .run .text, #view label, .card h2 > *, .value > .text, .value > .number")].filter((node) => box(node).width > 0);
+  const nodes = [...document.querySelectorAll("#name, #line, .run .text, #view label, .card h2 > *, .value > .text, .value > .number")].filter((node) => box(node).width > 0);
   told.texts_covered = [];
   nodes.forEach((one, k) => nodes.slice(k + 1).forEach((other) => {
     const [a, b] = [box(one), box(other)];

@@ -149,7 +149,7 @@ fn hostile_names_stay_text() {
     ]);
     let page = fs::read_to_string(scratch.0.join("out/compare.html")).expect("readable");
     let probe = "setTimeout(() => answer({ hacked: typeof window.hacked, images: document.images.length, scripts: document.scripts.length, \
-        name: document.getElementById('name').textContent, changes: document.getElementById('changes').textContent, \
+        name: document.getElementById('name').textContent, changes: document.getElementById('line').textContent, \
         cards: linkdyn.cards.list.length }), 300);";
     let (found, visit) = ask(&browser, &page, probe, Some(2000));
     assert!(visit.console.is_empty(), "{:#?}", visit.console);

@@ -111,7 +111,7 @@ fn what_stands_beside_the_drawing_can_be_read() {
         const engineering = lengths(); units.system = 'si'; const si = lengths(); units.system = 'engineering'; \
         const cell = (head) => [...document.querySelectorAll('#tables th')].find((th) => th.textContent === head)?.nextSibling.textContent; \
         answer({ over: boxes.filter((box, k) => k && box.top < boxes[k - 1].bottom - 0.5).length, engineering, si, \
-        wrapped: boxes.filter((box) => box.height > 30).length, from: cell('sample from'), analysis: document.getElementById('analysis').textContent });";
+        wrapped: boxes.filter((box) => box.height > 30).length, from: cell('sample from'), analysis: document.getElementById('line').textContent });";
     let (told, visit) = ask(&browser, &page, probe, Some(1000));
     assert!(visit.console.is_empty(), "{:#?}", visit.console);
     assert!(

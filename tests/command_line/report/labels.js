@@ -19,10 +19,10 @@
     told.outside.push(...stage.labels.filter(({ x, y, wide, tall }) => x < 0 || y < 0 || x + wide > width || y + tall > height).map(({ text }) => text));
   }
   // The signs of pivots on the ground, and what stands at the foot of the drawing: ruler, legends of arrows.
-  const px = stage.detail, grounded = mechanism.joints.filter(({ type, between }) => type === "revolute" && between.some(([body]) => body === 0));
+  const { bar } = stage, grounded = mechanism.joints.filter(({ type, between }) => type === "revolute" && between.some(([body]) => body === 0));
   const signs = grounded.map(({ name, between }) => {
     const [x, y] = stage.to(shapes.place(between[between[0][0] === 0 ? 0 : 1], 0));
-    return { x: x - 1.6 * 1.25 * px, y, wide: 3.2 * 1.25 * px, tall: 2.5 * px, text: `ground of ${name}` };
+    return { x: x - 2.4 * bar, y, wide: 4.8 * bar, tall: 3.3 * bar, text: `ground of ${name}` };
   });
   told.signs = signs.length;
   const feet = stage.labels.filter(({ y, tall }) => y + tall > stage.size.height - 10 && tall > 20);

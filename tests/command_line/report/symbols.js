@@ -1,16 +1,16 @@
 // Where the parts of symbols are drawn, in millimetres: the drawing on a pen that takes notes instead of ink.
 (() => {
   const { drawing, shapes, mechanism, rows, column } = linkdyn;
-  const PX = 10;
+  const BAR = 7;
   const strokes = (row) => {
     const all = [];
     let points = [];
     const nothing = () => {};
     const pen = {
       beginPath() { points = []; }, moveTo(x, y) { points.push([x, y]); }, lineTo(x, y) { points.push([x, y]); }, stroke() { all.push(points); },
-      arc: nothing, closePath: nothing, fill: nothing, fillRect: nothing, setLineDash: nothing,
+      globalAlpha: 1, arc: nothing, closePath: nothing, fill: nothing, fillRect: nothing, setLineDash: nothing,
     };
-    drawing.draw(pen, { to: ([x, y]) => [x * 1000, -y * 1000], scale: 1000, px: PX, row, colours: drawing.palette(), show: {} });
+    drawing.draw(pen, { to: ([x, y]) => [x * 1000, -y * 1000], scale: 1000, bar: BAR, row, colours: drawing.palette(), show: {} });
     return all;
   };
   const far = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
@@ -23,8 +23,8 @@
   answer([0, rows - 1].map((row) => {
     const all = strokes(row);
     // A box along the axis, told by its width: barrel and rod.
-    const box = (wide) => all.filter((path) => path.length === 4 && Math.abs(far(path[0], path[3]) - 2 * wide * PX) < 1e-6);
-    const [barrels, rods] = [box(1.15), box(0.38)], [barrel, rod] = [barrels[0], rods[0]];
+    const box = (wide) => all.filter((path) => path.length === 4 && Math.abs(far(path[0], path[3]) - 2 * wide * BAR) < 1e-6);
+    const [barrels, rods] = [box(1.7), box(0.56)], [barrel, rod] = [barrels[0], rods[0]];
     const foot = point("tube", "foot", row), [base, end] = [middle(barrel[0], barrel[3]), middle(barrel[1], barrel[2])];
     const [inner, tip] = [middle(rod[0], rod[3]), middle(rod[1], rod[2])];
     const coils = all.filter((path) => path.length === 61), hinge = point("arm", "hinge", row);

@@ -6,7 +6,7 @@
   await wait(300);
   // Plots below the first screen come when there is time.
   while (linkdyn.plots.list.some(({ u }) => !u)) await wait(50);
-  const { stage, plots, player, shapes, mechanism, take, units } = linkdyn;
+  const { stage, plots, player, shapes, mechanism, exports, units } = linkdyn;
   const told = { first: plots.list.map((plot) => plot.columns.map(({ name }) => name)), over: plots.abscissa.name };
   told.peaks = plots.list.flatMap(({ labels }) => labels.map(({ text }) => text));
   id("abscissa").value = "0"; id("abscissa").dispatchEvent(new Event("change"));
@@ -49,10 +49,10 @@
 
   // What is taken away.
   const parsed = (text) => { const made = new DOMParser().parseFromString(text, "image/svg+xml"); return { sound: !made.querySelector("parsererror"), paths: made.querySelectorAll("path").length, texts: [...made.querySelectorAll("text")].map((node) => node.textContent) }; };
-  told.plot_svg = parsed(take.plotSvg(plots.list[0]));
-  told.pose_svg = parsed(take.poseSvg());
-  told.csv = take.csv(plots.list[0]).split("\n").length;
-  told.png = (await take.plotPng(plots.list[0])).size;
+  told.plot_svg = parsed(exports.plotSvg(plots.list[0]));
+  told.pose_svg = parsed(exports.poseSvg());
+  told.csv = exports.csv(plots.list[0]).split("\n").length;
+  told.png = (await exports.plotPng(plots.list[0])).size;
 
   // An instant in the address, and round-off.
   location.hash = "#t=1.2";

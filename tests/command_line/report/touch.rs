@@ -95,7 +95,7 @@ fn plots_come_in_order(told: &Value) {
     assert!(told["uncut"].as_f64() > Some(628.0), "{told:#}");
     assert_eq!(
         told["short"][0],
-        json!(["Peak effort of motor", "628.6 N·m"])
+        json!(["Peak driving torque of motor", "628.6 N·m"])
     );
     let extremes = &told["extremes"];
     assert_eq!(extremes[0], "driver.motor.effort");

@@ -4,7 +4,7 @@
   window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);
   const wait = (time) => new Promise((done) => setTimeout(done, time));
   const id = (name) => document.getElementById(name);
-  const { choice, frames, motions, inputs, mechanism, motion, variables } = linkdyn;
+  const { choice, frames, motions, inputs, mechanism, player, variables } = linkdyn;
   await wait(400);
   const cell = (node) => node.textContent;
   const sum = (canvas) => {
@@ -16,7 +16,7 @@
     return found;
   };
   const told = {
-    asked: id("asked").textContent,
+    asked: id("line").textContent,
     tiles: Object.fromEntries([...document.querySelectorAll(".tile")].map((tile) => [cell(tile.children[0]), cell(tile.children[2] ?? tile)])),
     responses: [...document.querySelectorAll("#of_responses tbody tr")].map((row) => [...row.children].map(cell).join("|")),
     plots: frames.length, blank: frames.filter(({ plots }) => !plots.length).map(({ canvas }) => canvas.getAttribute("aria-label")),
@@ -49,7 +49,7 @@
   await wait(100);
   const drawn = sum(id("canvas"));
   await wait(700);
-  told.clicked = { row: choice.row, title: id("which").textContent, note: id("motion_note").textContent, moves: motion.playing && motion.instant > 0 && sum(id("canvas")) !== drawn };
+  told.clicked = { row: choice.row, title: id("which").textContent, note: id("motion_note").textContent, moves: player.playing && player.row > 0 && sum(id("canvas")) !== drawn };
 
   // The crank of each motion is as long as its variant says, and the pins stay together.
   told.lengths = 0;

@@ -4,6 +4,7 @@
 //! there at fewer poses: those can be chosen on the page.
 
 use super::parts::{AccuracyPage, Output};
+use crate::numbers::evenly;
 
 /// Bytes that numbers may take, before base64 makes a third more of them.
 const ROOM: usize = 2_700_000;
@@ -100,8 +101,7 @@ fn spread(count: usize, most: usize, kept: &[usize]) -> Vec<usize> {
     if count <= most {
         return (0..count).collect();
     }
-    let even = most.saturating_sub(kept.len()).max(2);
-    let mut numbers: Vec<usize> = (0..even).map(|k| k * (count - 1) / (even - 1)).collect();
+    let mut numbers = evenly(count, most.saturating_sub(kept.len()));
     numbers.extend(kept);
     numbers.sort_unstable();
     numbers.dedup();

@@ -17,3 +17,6 @@ mod page;
 mod parts;
 
 pub use parts::{AccuracyPage, Output, Pose, Slider, Source, Unit};
+
+#[cfg(test)]
+pub(crate) use page::SCRIPTS;

@@ -1,30 +1,25 @@
 //! The page.
 
-use data_encoding::BASE64;
 use serde_json::{Value, json};
 
 use super::chosen::{Chosen, chosen};
 use super::facts::of_output;
 use super::parts::{AccuracyPage, Output, Pose, Unit};
-use crate::html::{Live, Page, escaped};
+use crate::html::{self, Live, escaped};
+use crate::mechanism::Drawing;
+use crate::numbers::Numbers;
 use crate::palette;
 use crate::poses::Pose as Frame;
-use crate::report;
-use crate::scripts;
 use crate::shape::Shape;
 
 const BODY: &str = include_str!("page.html");
-const OWN_STYLE: &str = include_str!("page.css");
+const STYLE: &str = include_str!("page.css");
 /// In the order in which they build on each other.
-const SCRIPT: [&str; 17] = [
-    scripts::EMBEDDED,
+pub const SCRIPTS: &[&str] = &[
     include_str!("js/data.js"),
-    scripts::THEME,
-    scripts::UNITS,
     include_str!("js/file_units.js"),
-    scripts::SHAPES,
-    scripts::SYMBOLS,
-    scripts::DRAWING,
+    html::PLACES,
+    html::DRAWING,
     include_str!("js/choice.js"),
     include_str!("js/headline.js"),
     include_str!("js/band_marks.js"),
@@ -35,7 +30,7 @@ const SCRIPT: [&str; 17] = [
     include_str!("js/sliders.js"),
     include_str!("js/head.js"),
 ];
-/// Shapes of more text than this are left out.
+/// Shapes and drawings of more text than this are left out.
 const LARGEST_SHAPE: usize = 600_000;
 
 impl AccuracyPage<'_> {
@@ -53,10 +48,27 @@ impl AccuracyPage<'_> {
         let chosen = chosen(self);
         let both = || self.outputs.iter().zip(&chosen);
         let mut notes = self.left_out(&chosen);
-        let mut shape = self.shape.to_json();
-        if shape.to_string().len() > LARGEST_SHAPE {
+        let rows: Vec<Vec<Frame>> = both()
+            .flat_map(|(output, chosen)| {
+                chosen
+                    .details
+                    .iter()
+                    .map(|&row| &output.poses[chosen.rows[row]])
+            })
+            .filter(|pose| pose.position.len() + 1 == self.shape.bodies.len())
+            .map(|pose| {
+                [[0.0; 3]]
+                    .into_iter()
+                    .chain(pose.position.iter().copied())
+                    .collect()
+            })
+            .collect();
+        let (mut shape, Drawing(mut drawing)) =
+            (self.shape.for_page(), Drawing::of(&self.shape, &rows));
+        if shape.to_string().len() + drawing.to_string().len() > LARGEST_SHAPE {
             notes.push("The model is too large to be drawn here.".into());
             shape = Shape::default().to_json();
+            drawing = Drawing::empty().0;
         }
         let data = json!({
             "engine": env!("CARGO_PKG_VERSION"),
@@ -68,6 +80,7 @@ impl AccuracyPage<'_> {
             "drivers": self.drivers,
             "bodies": self.shape.bodies.len().saturating_sub(1),
             "mechanism": shape,
+            "drawing": drawing,
             "sources": self.sources.iter().map(|source| json!({
                 "name": source.name,
                 "slider": source.slider.as_ref().map(|slider| json!({
@@ -80,29 +93,23 @@ impl AccuracyPage<'_> {
             "bytes": 8,
             "palette": palette::to_json(),
         });
-        let mut values = Vec::new();
+        let mut values = Numbers::new(true);
         for (output, chosen) in both() {
             self.put(output, chosen, &mut values);
         }
-        let bytes: Vec<u8> = values
-            .iter()
-            .flat_map(|value| value.to_le_bytes())
-            .collect();
-        Page {
+        Live {
             title: "linkdyn accuracy",
-            styles: &[report::STYLE, OWN_STYLE],
+            style: STYLE,
             body: BODY,
-            live: Some(Live {
-                data: &escaped(&data.to_string()),
-                values: &BASE64.encode(&bytes),
-                script: &SCRIPT.concat(),
-            }),
+            scripts: SCRIPTS,
+            data: &escaped(&data.to_string()),
+            values: &values.text(),
         }
         .html()
     }
 
     /// Numbers of an output: its band column by column, then pose by pose contributions and frames. What is not there is a NaN.
-    fn put(&self, output: &Output, chosen: &Chosen, values: &mut Vec<f64>) {
+    fn put(&self, output: &Output, chosen: &Chosen, values: &mut Numbers) {
         let band: Vec<Vec<f64>> = chosen
             .rows
             .iter()
@@ -175,13 +182,6 @@ fn unit(unit: &Unit) -> Value {
 mod tests {
     use super::super::chosen::WIDTH;
     use super::*;
-
-    #[test]
-    fn the_scripts_can_stand_in_a_page() {
-        for text in SCRIPT.iter().chain([&OWN_STYLE]) {
-            assert!(crate::html::can_stand_in_a_page(text));
-        }
-    }
 
     #[test]
     fn a_row_is_as_wide_as_it_is_planned() {

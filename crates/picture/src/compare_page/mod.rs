@@ -14,3 +14,6 @@ mod page;
 mod values;
 
 pub use page::{ComparePage, ComparedRun};
+
+#[cfg(test)]
+pub(crate) use page::SCRIPTS;

@@ -1,13 +1,12 @@
-//! Rows as compact text: run after run its times and columns, base64 of little-endian floats, an empty cell is a NaN.
+//! Rows as compact text: run after run its times and columns.
 //!
 //! All rows go in while there is room. Else 7 digits instead of 16, then of the outputs only every k-th, the same ones of all
 //! runs, so that differences can still be taken; rows in which a column of a run has its extremes stay.
 
 use std::collections::HashSet;
 
-use data_encoding::BASE64;
-
 use super::ComparedRun;
+use crate::numbers::Numbers;
 use linkdyn_output::comparison::Comparison;
 use linkdyn_output::{Column, TIME, Trajectory};
 
@@ -98,25 +97,18 @@ fn thinned(run: &ComparedRun, columns: &[Column], kept: &HashSet<u64>) -> Vec<us
 
 /// The text.
 pub fn encoded(runs: &[ComparedRun], columns: &[Column], chosen: &Chosen) -> String {
-    let mut bytes = Vec::new();
-    let mut put = |value: f64| match chosen.binary64 {
-        true => bytes.extend(value.to_le_bytes()),
-        false => bytes.extend((value as f32).to_le_bytes()),
-    };
+    let mut numbers = Numbers::new(chosen.binary64);
     for (run, rows) in runs.iter().zip(&chosen.rows) {
         let Some(table) = run.table else { continue };
         let times = table.values(TIME).unwrap_or_default();
-        rows.iter().for_each(|&row| put(times[row]));
+        numbers.extend(rows.iter().map(|&row| times[row]));
         for column in columns {
             let values = table.id_of(column).map(|id| table.column(id));
-            for &row in rows {
-                put(values
-                    .and_then(|values| values.get(row))
-                    .unwrap_or(f64::NAN));
-            }
+            let value = |&row: &usize| values?.get(row);
+            numbers.extend(rows.iter().map(|row| value(row).unwrap_or(f64::NAN)));
         }
     }
-    BASE64.encode(&bytes)
+    numbers.text()
 }
 
 #[cfg(test)]

@@ -2,40 +2,41 @@
 //!
 //! A body is the convex hull of its points with rounded corners; the ground is drawn where something is held by it.
 //!
-//! | file       | does                                                        |
-//! | ---------- | ----------------------------------------------------------- |
-//! | `moving`   | a mechanism with its motion: extent, paths, slides          |
-//! | `places`   | points and directions in global axes                        |
-//! | `drivers`  | what drivers stand at                                       |
-//! | `instants` | when poses tell most                                        |
-//! | `cylinder` | which joints are cylinders                                  |
-//! | `view`     | the part of a page that shows it                            |
-//! | `pages`    | one pose with its time, several poses over or beside others |
-//! | `plain`    | one pose without words                                      |
-//! | `cams`     | draws profiles and what touches them                         |
-//! | `pose`     | draws bodies and joints of one pose                         |
-//! | `actions`  | draws springs, drivers and loads of one pose                |
-//! | `values`   | numbers beside arrows                                       |
-//! | `sketch`   | what all drawing of one pose needs                          |
+//! | file       | does                                                         |
+//! | ---------- | ------------------------------------------------------------ |
+//! | `moving`   | a mechanism with its motion: extent, paths, slides           |
+//! | `places`   | points and directions in global axes                         |
+//! | `drivers`  | what drivers stand at                                        |
+//! | `instants` | when poses tell most                                         |
+//! | `parts`    | a sign, what it stands at, what it turns with                |
+//! | `joints`   | how bodies and each kind of joint are drawn                  |
+//! | `stops`    | how ends of ways and one-way clutches are drawn              |
+//! | `forces`   | how springs, dampers, cables, actuators, drivers are drawn   |
+//! | `cylinder` | which joints are cylinders, and how long they are            |
+//! | `loads`    | draws the loads of one pose                                  |
+//! | `values`   | numbers beside arrows                                        |
+//! | `view`     | the part of a page that shows it                             |
+//! | `pages`    | one pose with its time, several poses over or beside others  |
+//! | `plain`    | one pose without words                                       |
+//! | `drawing`  | all parts for a page, which moves them                       |
 
-mod actions;
-mod cams;
 mod cylinder;
+mod drawing;
 mod drivers;
+mod forces;
 mod instants;
+mod joints;
+mod loads;
 mod moving;
-mod outlines;
 mod pages;
+mod parts;
 mod places;
 mod plain;
-mod pose;
-mod sketch;
 mod stops;
-
 mod values;
 mod view;
-mod wheels;
 
+pub(crate) use drawing::Drawing;
 pub use moving::Mechanism;
 pub use pages::{Layout, MOST_POSES};
 pub use plain::Marks;

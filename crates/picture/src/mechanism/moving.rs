@@ -50,6 +50,16 @@ impl Mechanism {
     /// When the extent is no number that a picture can have.
     pub fn new(shape: Shape, poses: Poses) -> Result<Self, Fault> {
         shape.check("mechanism")?;
+        let mut mechanism = Mechanism::measured(shape, poses);
+        mechanism.check_extent()?;
+        let [first, last] = mechanism.span();
+        mechanism.returns = mechanism.is_same(first, last);
+        mechanism.fit_frame();
+        Ok(mechanism)
+    }
+
+    /// A mechanism of which is known how far it reaches and its parts move, whether it fits a page or not.
+    pub(super) fn measured(shape: Shape, poses: Poses) -> Self {
         let count = poses.time.len();
         let stride = count.div_ceil(MOST_ROWS).max(1);
         let rows: Vec<Option<Vec<Pose>>> = (0..count)
@@ -83,16 +93,13 @@ impl Mechanism {
         if let Some(pose) = rows.iter().flatten().next() {
             mechanism.cylinders = Cylinders::new(&mechanism.shape, pose, &mechanism.slides);
         }
+        mechanism.include_ground();
         mechanism.reach_guides();
         let points = mechanism.shape.points.iter();
         mechanism.paths = points
             .map(|point| path(&mechanism.shape, *point, &rows))
             .collect();
-        mechanism.check_extent()?;
-        let [first, last] = mechanism.span();
-        mechanism.returns = mechanism.is_same(first, last);
-        mechanism.fit_frame();
-        Ok(mechanism)
+        mechanism
     }
 
     /// Whether the motion ends with all bodies where they began, turns aside.
@@ -189,6 +196,33 @@ impl Mechanism {
                 let [u, v] = turned(pose[joint.between[0].0], axis);
                 let s = u * (ends[1][0] - ends[0][0]) + v * (ends[1][1] - ends[0][1]);
                 *slide = [slide[0].min(s), slide[1].max(s)];
+            }
+        }
+    }
+
+    /// Outlines of the ground count, as far as they are near what moves: a floor may be as long as it likes.
+    fn include_ground(&mut self) {
+        let Extent { low, high } = self.frame.extent;
+        let [wide, tall] = self.frame.extent.sizes();
+        let far = wide.max(tall);
+        for joint in self
+            .shape
+            .joints
+            .iter()
+            .filter(|joint| joint.between[0].0 == 0)
+        {
+            let JointKind::Contact { outlines, .. } = &joint.kind else {
+                continue;
+            };
+            for corner in outlines.iter().flatten() {
+                let near =
+                    [0, 1].map(
+                        |k| match (low[k] - far..=high[k] + far).contains(&corner[k]) {
+                            true => corner[k],
+                            false => low[k],
+                        },
+                    );
+                self.frame.extent.add(near, 0.0);
             }
         }
     }

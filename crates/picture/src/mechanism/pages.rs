@@ -1,17 +1,17 @@
 //! Pages that show a mechanism: one pose with its time, several poses over each other or side by side.
 
 use super::moving::Mechanism;
+use super::parts::{Layer, Parts, on_page};
 use super::places::place;
-use super::sketch::Sketch;
 use super::values::font_size;
 use super::view::View;
-use super::{actions, pose};
 use crate::fault::Fault;
 use crate::palette;
 use crate::poses::Pose;
 use crate::scene::POINTS_PER_MM;
 use crate::scene::{Anchor, Ink, Pen, Place, Run, Scene};
 use crate::{font, style, words};
+use std::ops::RangeBounds;
 
 /// Poses of one picture, at most.
 pub const MOST_POSES: usize = 64;
@@ -192,39 +192,44 @@ impl Mechanism {
 
     /// What is drawn once for all poses, as it is at a time.
     pub(super) fn draw_backdrop(&self, scene: &mut Scene, view: &View, time: f64) {
-        if let Some(poses) = self.poses.at(time) {
-            pose::draw_backdrop(scene, &self.sketch(view, &poses, 1.0));
-        }
-    }
-
-    pub(super) fn sketch<'s>(
-        &'s self,
-        view: &'s View,
-        pose: &'s [Pose],
-        strength: f64,
-    ) -> Sketch<'s> {
-        Sketch {
-            mechanism: self,
-            view,
-            pose,
-            strength,
+        if let Some(pose) = self.poses.at(time) {
+            self.draw_parts(scene, view, &pose, (..=Layer::Backdrop, 1.0));
         }
     }
 
     /// Everything else at a time; nothing in a gap. A pose that stands behind others is faded, and tells no actions.
     pub(super) fn draw_pose(&self, scene: &mut Scene, view: &View, time: f64, faded: Option<f64>) {
-        let Some(poses) = self.poses.at(time) else {
+        let Some(pose) = self.poses.at(time) else {
             return;
         };
-        let sketch = self.sketch(view, &poses, faded.unwrap_or(1.0));
-        pose::draw(scene, &sketch);
-        actions::draw_springs(scene, &sketch);
+        let strength = faded.unwrap_or(1.0);
+        let last = match faded {
+            Some(_) => Layer::Springs,
+            None => Layer::Drivers,
+        };
+        self.draw_parts(scene, view, &pose, (Layer::Guides..=last, strength));
         if faded.is_none() {
-            actions::draw_actions(scene, &sketch, time);
+            self.draw_loads(scene, view, &pose, time);
         }
         for (index, point) in self.shape.points.iter().enumerate() {
-            let ink = trace_ink(index).faded(sketch.strength);
-            scene.circle("traced", sketch.at(*point), 0.5 * view.bar, Some(ink), None);
+            let (ink, at) = (
+                trace_ink(index).faded(strength),
+                on_page(self, view, &pose, *point),
+            );
+            scene.circle("traced", at, 0.5 * view.bar, Some(ink), None);
+        }
+    }
+
+    fn draw_parts(
+        &self,
+        scene: &mut Scene,
+        view: &View,
+        pose: &[Pose],
+        (layers, strength): (impl RangeBounds<Layer>, f64),
+    ) {
+        let parts = Parts::of(self, pose, view.bar / view.scale, false);
+        for part in parts.iter().filter(|part| layers.contains(&part.layer)) {
+            part.draw(scene, self, view, pose, strength);
         }
     }
 }

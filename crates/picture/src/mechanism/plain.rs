@@ -1,11 +1,12 @@
 //! One pose without words, and where its parts are on the page: for pages that say the words themselves.
 
 use super::moving::Mechanism;
+use super::parts::on_page;
 use super::view::View;
 use crate::fault::Fault;
 use crate::poses::Poses;
 use crate::scene::{Place, Scene};
-use crate::shape::{JointKind, Shape};
+use crate::shape::{JointKind, PointId, Shape};
 
 /// Places and names in a drawing.
 #[derive(Debug, Clone, Default)]
@@ -51,12 +52,12 @@ impl Mechanism {
             return Marks::default();
         };
         let view = View::new(&self.frame, [0.0, 0.0], [width, self.frame.height(width)]);
-        let sketch = self.sketch(&view, &poses, 1.0);
+        let at = |point: PointId| on_page(self, &view, &poses, point);
         let middle = |body: usize| -> Place {
             let points = 0..self.shape.bodies[body].points.len();
-            let places: Vec<Place> = points.map(|point| sketch.at((body, point))).collect();
+            let places: Vec<Place> = points.map(|point| at((body, point))).collect();
             if places.is_empty() {
-                return sketch.body_at(body);
+                return self.body_on_page(&view, &poses, body);
             }
             [0, 1].map(|k| places.iter().map(|at| at[k]).sum::<f64>() / places.len() as f64)
         };
@@ -64,7 +65,7 @@ impl Mechanism {
         let joints = self.shape.joints.iter();
         let points = |(number, body): (usize, &crate::shape::Body)| {
             (0..body.points.len())
-                .map(|point| sketch.at((number, point)))
+                .map(|point| at((number, point)))
                 .collect()
         };
         Marks {
@@ -86,9 +87,7 @@ impl Mechanism {
                     | JointKind::Belt { .. } => false,
                 })
                 .collect(),
-            joints: joints
-                .map(|joint| joint.between.map(|end| sketch.at(end)))
-                .collect(),
+            joints: joints.map(|joint| joint.between.map(&at)).collect(),
         }
     }
 }

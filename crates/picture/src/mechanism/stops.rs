@@ -1,13 +1,14 @@
 //! Ends of joints' ways: bars across a guide, the round end of a slot, an arc between two pegs about a pin.
 
-use super::sketch::Sketch;
-use crate::palette;
-use crate::scene::{Pen, Place, Scene};
-use crate::shape::{Joint, JointKind};
+use super::parts::{Layer, Parts};
+use crate::palette::STEEL;
+use crate::shape::{Joint, PointId};
+use crate::sign::{Corner, Edge, OUTLINE, bars, line, metres};
 use crate::symbols;
 use linkdyn_model::OneWay;
 
-/// Half the height of a bar, in bars.
+/// Width of a bar, half its height, in bars.
+pub const BAR: f64 = 0.6;
 const HIGH: f64 = 2.0;
 /// Radii between which a peg lies, and of the arc, in bars.
 const PEG: [f64; 2] = [3.0, 4.6];
@@ -32,136 +33,97 @@ fn near(joint: &Joint, [low, high]: [f64; 2]) -> [Option<f64>; 2] {
     ]
 }
 
-/// How far a guide goes: a slot to its ends.
+/// How far a guide goes.
 pub fn reach(joint: &Joint, slides: [f64; 2]) -> [f64; 2] {
+    let ([lower, upper], [low, high]) = (near(joint, slides), slides);
+    [
+        lower.map_or(low, |end| low.min(end)),
+        upper.map_or(high, |end| high.max(end)),
+    ]
+}
+
+/// How far a slot goes: to its ends.
+pub fn reach_of_slot(joint: &Joint, slides: [f64; 2]) -> [f64; 2] {
     let [lower, upper] = near(joint, slides);
-    let [low, high] = slides;
-    match joint.kind {
-        JointKind::Slot { .. } => [lower.unwrap_or(low), upper.unwrap_or(high)],
-        JointKind::Prismatic { .. } => [
-            lower.map_or(low, |end| low.min(end)),
-            upper.map_or(high, |end| high.max(end)),
-        ],
-        JointKind::Revolute { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Fixed
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing => slides,
-    }
+    [lower.unwrap_or(slides[0]), upper.unwrap_or(slides[1])]
 }
 
-/// Draws the stops of a joint.
-pub fn draw(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2]) {
-    let pen = sketch.pen(palette::STEEL);
-    if let Some(way) = joint.one_way {
-        arrow(scene, sketch, joint, way, pen);
-    }
-    if joint.limits.is_none() {
-        return;
-    }
-    match joint.kind {
-        JointKind::Prismatic { .. } => bars(scene, sketch, joint, slides, pen),
-        JointKind::Revolute { .. } => arc(scene, sketch, joint, pen),
-        JointKind::Slot { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Fixed
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing => {}
-    }
+/// A corner around a pin; the angle counts to the left.
+fn around(radius: f64, angle: f64) -> Corner {
+    bars(radius * angle.cos(), radius * angle.sin())
 }
 
-/// Bars where the block of a slide comes to its ends.
-fn bars(scene: &mut Scene, sketch: &Sketch, joint: &Joint, slides: [f64; 2], pen: Pen) {
-    let Some([u, v]) = sketch.direction(joint) else {
-        return;
-    };
-    let ([x, y], bar) = (sketch.at(joint.between[0]), sketch.bar());
-    for (end, side) in near(joint, slides).into_iter().zip([-1.0, 1.0]) {
-        let Some(end) = end else { continue };
-        let far = end * sketch.view.scale + side * symbols::BLOCK[0] * bar;
-        let at = |across: f64| [x + far * u - across * v, y + far * v + across * u];
-        let width = 0.6 * bar;
-        scene.line(
-            "stop",
-            [at(-HIGH * bar), at(HIGH * bar)],
-            Pen { width, ..pen },
+/// Corners of an arc around a pin.
+fn arc(radius: f64, from: f64, to: f64) -> Vec<Corner> {
+    let corners = ((to - from).abs() / CORNER).ceil().max(1.0);
+    let at = |k: usize| around(radius, from + (to - from) * k as f64 / corners);
+    (0..=corners as usize).map(at).collect()
+}
+
+impl Parts<'_> {
+    /// Bars where the block of a slide comes to its ends.
+    pub fn add_bars(&mut self, joint: &Joint, along: (usize, [f64; 2]), slides: [f64; 2]) {
+        for (end, side) in near(joint, slides).into_iter().zip([-1.0, 1.0]) {
+            let Some(end) = end else { continue };
+            let at = metres(end, 0.0).beside(side * symbols::BLOCK[0], 0.0);
+            let bar = [at.beside(0.0, HIGH), at.beside(0.0, -HIGH)];
+            let sign = vec![line("stop", bar, Edge::of(STEEL).wide(BAR))];
+            self.with(Layer::Stops, joint.between[0], along, along.0, sign);
+        }
+    }
+
+    /// Pegs about a pin, between which the second body can turn.
+    pub fn add_arc(&mut self, joint: &Joint) {
+        let (Some(ends), Some(from)) = (joint.limits, self.direction_of(joint.between[1])) else {
+            return;
+        };
+        let pegs = ends.into_iter().flatten().map(|end| {
+            let peg = PEG.map(|radius| around(radius, end));
+            line("stop", peg, Edge::of(STEEL).wide(BAR))
+        });
+        let mut sign: Vec<_> = pegs.collect();
+        if let [Some(low), Some(high)] = ends {
+            let high = high.min(low + std::f64::consts::TAU);
+            sign.push(line(
+                "stop",
+                arc(ARC, low, high),
+                Edge::of(STEEL).wide(0.5 * OUTLINE),
+            ));
+        }
+        let first = joint.between[0];
+        self.with(
+            Layer::Stops,
+            first,
+            (first.0, [from.cos(), from.sin()]),
+            first.0,
+            sign,
         );
     }
-}
 
-/// Pegs about a pin, between which the second body can turn.
-fn arc(scene: &mut Scene, sketch: &Sketch, joint: &Joint, pen: Pen) {
-    let Some(from) = direction_of(sketch, joint) else {
-        return;
-    };
-    let [x, y] = sketch.at(joint.between[0]);
-    let bar = sketch.bar();
-    let base = sketch.pose[joint.between[0].0][2] + from;
-    let at = |angle: f64, radius: f64| -> Place {
-        let (sin, cos) = (base + angle).sin_cos();
-        [x + radius * bar * cos, y - radius * bar * sin]
-    };
-    let ends = joint.limits.unwrap_or_default();
-    for end in ends.into_iter().flatten() {
-        let width = 0.6 * bar;
-        scene.line(
-            "stop",
-            PEG.map(|radius| at(end, radius)),
-            Pen { width, ..pen },
-        );
+    /// An arrow about a pin, the way in which its one-way clutch lets the second body turn.
+    pub fn add_one_way(&mut self, joint: &Joint) {
+        let sign = match joint.one_way {
+            None => return,
+            Some(OneWay::Forward) => 1.0,
+            Some(OneWay::Backward) => -1.0,
+        };
+        let edge = Edge::of(STEEL).wide(0.5 * OUTLINE);
+        let [back, tip, front] = [(HEAD[0], -HEAD[1]), (0.0, 0.0), (HEAD[0], HEAD[1])]
+            .map(|(before, out)| around(ROUND + out, sign * (TURN - before)));
+        let strokes = vec![
+            line("clutch", arc(ROUND, 0.0, sign * TURN), edge),
+            line("clutch", [back, tip, front], edge),
+        ];
+        self.on(Layer::Stops, joint.between[0], joint.between[0].0, strokes);
     }
-    if let [Some(low), Some(high)] = ends {
-        let high = high.min(low + std::f64::consts::TAU);
-        let corners = ((high - low) / CORNER).ceil().max(1.0);
-        let places: Vec<Place> = (0..=corners as usize)
-            .map(|k| at(low + (high - low) * k as f64 / corners, ARC))
-            .collect();
-        let width = 0.5 * pen.width;
-        scene.line("stop", places, Pen { width, ..pen });
+
+    /// Where the body of a pin lies, in its own frame \[rad\].
+    fn direction_of(&self, (body, number): PointId) -> Option<f64> {
+        let points = &self.mechanism.shape.bodies.get(body)?.points;
+        let (_, x, y) = points.get(number)?;
+        let [u, v] = points
+            .iter()
+            .fold([0.0; 2], |[u, v], (_, a, b)| [u + a - x, v + b - y]);
+        Some(if [u, v] == [0.0; 2] { 0.0 } else { v.atan2(u) })
     }
-}
-
-/// An arrow about a pin, the way in which its one-way clutch lets the second body turn.
-fn arrow(scene: &mut Scene, sketch: &Sketch, joint: &Joint, way: OneWay, pen: Pen) {
-    let [x, y] = sketch.at(joint.between[0]);
-    let bar = sketch.bar();
-    let base = sketch.pose[joint.between[0].0][2];
-    let sign = match way {
-        OneWay::Forward => 1.0,
-        OneWay::Backward => -1.0,
-    };
-    let at = |angle: f64, radius: f64| -> Place {
-        let (sin, cos) = (base + sign * angle).sin_cos();
-        [x + radius * bar * cos, y - radius * bar * sin]
-    };
-    let width = 0.5 * pen.width;
-    let corners = (TURN / CORNER).ceil();
-    let way: Vec<Place> = (0..=corners as usize)
-        .map(|k| at(TURN * k as f64 / corners, ROUND))
-        .collect();
-    scene.line("clutch", way, Pen { width, ..pen });
-    let head = [-1.0, 1.0].map(|side| at(TURN - HEAD[0], ROUND + side * HEAD[1]));
-    let tip = at(TURN, ROUND);
-    scene.line("clutch", [head[0], tip, head[1]], Pen { width, ..pen });
-}
-
-/// Where the second body of a pin lies, in its own frame \[rad\].
-fn direction_of(sketch: &Sketch, joint: &Joint) -> Option<f64> {
-    let (body, number) = joint.between[1];
-    let points = &sketch.mechanism.shape.bodies.get(body)?.points;
-    let (_, x, y) = points.get(number)?;
-    let sum = points
-        .iter()
-        .fold([0.0; 2], |[u, v], (_, a, b)| [u + a - x, v + b - y]);
-    Some(if sum == [0.0; 2] {
-        0.0
-    } else {
-        sum[1].atan2(sum[0])
-    })
 }

@@ -1,11 +1,10 @@
-//! Numbers as compact text: base64 (RFC 4648) of little-endian floats, column by column; an empty cell is a NaN.
+//! Numbers as compact text, column by column.
 //!
 //! All columns go in as they are while there is room. Else, in this order: 7 digits instead of 16 (binary32), then only every
 //! k-th row as long as [`FEW_ROWS`] remain, then columns are left out from the least important on, and at last rows again. Rows
 //! in which columns have their extremes stay, in up to half of the room for rows.
 
-use data_encoding::BASE64;
-
+use crate::numbers::Numbers;
 use linkdyn_output::{Column, ColumnId, Trajectory};
 
 /// Rows below which columns are left out rather than more rows.
@@ -177,20 +176,13 @@ fn thinned(rows: usize, most: usize) -> Vec<usize> {
 
 /// The values of the columns that the plan keeps, one column after the other.
 pub fn values<'a>(sources: impl Iterator<Item = &'a Source<'a>>, plan: &Plan) -> String {
-    let mut bytes = Vec::new();
+    let mut numbers = Numbers::new(plan.binary64);
     for source in sources {
         let width = source.table.width();
-        for &row in &plan.rows {
-            let value = source.table.data[row * width + source.index];
-            if plan.binary64 {
-                bytes.extend(if value.is_finite() { value } else { f64::NAN }.to_le_bytes());
-            } else {
-                let value = value as f32;
-                bytes.extend(if value.is_finite() { value } else { f32::NAN }.to_le_bytes());
-            }
-        }
+        let value = |row: &usize| source.table.data[row * width + source.index];
+        numbers.extend(plan.rows.iter().map(value));
     }
-    BASE64.encode(&bytes)
+    numbers.text()
 }
 
 #[cfg(test)]
@@ -293,25 +285,6 @@ mod tests {
         assert!(
             plan.rows.len() < 900 && plan.rows.windows(2).all(|pair| pair[0] < pair[1]),
             "{plan:?}"
-        );
-    }
-
-    #[test]
-    fn cells_without_value_stay_empty() {
-        let mut table = table(1, 2);
-        table.data = vec![f64::INFINITY, 1e300];
-        let sources = sources(&table, &[Worth::Asked; 2]);
-        let plan = Plan {
-            binary64: false,
-            rows: vec![0],
-            step: 1,
-            all_extremes: true,
-            worth: Worth::Asked,
-        };
-        // 1e300 has no binary32.
-        assert_eq!(
-            values(sources.iter(), &plan),
-            BASE64.encode(&[f32::NAN.to_le_bytes(), f32::NAN.to_le_bytes()].concat())
         );
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The page is `page.html` in the frame of all pages (`html`), with styles, scripts and data put in. Names of the model reach it only
 //! inside JSON in which `<`, `>` and `&` are escaped, and get into the page as text alone (`textContent`). A content security policy
-//! lets only these scripts and styles act, named by their SHA-256. Plots are drawn by uPlot (`vendor/`).
+//! lets only these scripts and styles act, named by their SHA-256. Plots are drawn by uPlot (`page/vendor/`).
 //!
 //! | file       | does                                                       |
 //! | ---------- | ---------------------------------------------------------- |
@@ -18,4 +18,5 @@ mod page;
 
 pub use page::{LIMIT, Report};
 
-pub(crate) use page::STYLE;
+#[cfg(test)]
+pub(crate) use page::SCRIPTS;

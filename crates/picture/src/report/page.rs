@@ -5,25 +5,20 @@ use serde_json::{Value, json};
 use super::columns::{cuts, heading, sources};
 use super::encode::{Plan, Source, plan, values};
 use super::facts::{cut, facts};
-use crate::html::{Live, Page, escaped};
+use crate::html::{self, Live, escaped};
+use crate::mechanism::Drawing;
 use crate::palette;
-use crate::scripts;
 use crate::shape::Shape;
 use linkdyn_model::Model;
 use linkdyn_output::{Summary, Trajectory};
 
 const BODY: &str = include_str!("page.html");
-pub(crate) const STYLE: &str = include_str!("page.css");
 /// In the order in which they build on each other.
-const SCRIPT: [&str; 28] = [
-    scripts::EMBEDDED,
+pub const SCRIPTS: &[&str] = &[
     include_str!("js/data.js"),
-    scripts::THEME,
-    scripts::UNITS,
-    include_str!("js/player.js"),
-    scripts::SHAPES,
-    scripts::SYMBOLS,
-    scripts::DRAWING,
+    html::PLAYER,
+    html::PLACES,
+    html::DRAWING,
     include_str!("js/labels.js"),
     include_str!("js/forces.js"),
     include_str!("js/stage.js"),
@@ -40,7 +35,7 @@ const SCRIPT: [&str; 28] = [
     include_str!("js/head.js"),
     include_str!("js/svg_pen.js"),
     include_str!("js/figure.js"),
-    include_str!("js/take.js"),
+    include_str!("js/export.js"),
     include_str!("js/transport.js"),
     include_str!("js/drawer.js"),
     include_str!("js/keys.js"),
@@ -50,7 +45,9 @@ const SCRIPT: [&str; 28] = [
 pub const LIMIT: usize = 5_000_000;
 /// Room kept for what the page says about what it leaves out.
 const MARGIN: usize = 20_000;
-/// Shapes of more text than this are left out.
+/// Instants that tell how far a mechanism reaches, at most.
+const MOST_ROWS: usize = 400;
+/// Shapes and drawings of more text than this are left out.
 const LARGEST_SHAPE: usize = 3_500_000;
 
 /// What a page is made of.
@@ -90,16 +87,19 @@ impl<'a> Report<'a> {
     pub fn html(&self) -> String {
         let mut notes = self.notes.clone();
         let facts = escaped(&facts(self.summary, &mut notes).to_string());
-        let mut shape = escaped(&self.shape.to_json().to_string());
-        if shape.len() > LARGEST_SHAPE {
+        let rows = self.shape.poses_in(self.table, MOST_ROWS);
+        let [mut shape, mut drawing] = [self.shape.for_page(), Drawing::of(&self.shape, &rows).0]
+            .map(|json| escaped(&json.to_string()));
+        if shape.len() + drawing.len() > LARGEST_SHAPE {
             notes.push("The model is too large to be drawn here.".into());
-            shape = escaped(&Shape::default().to_json().to_string());
+            shape = Shape::default().to_json().to_string();
+            drawing = Drawing::empty().0.to_string();
         }
         let [about, source] =
             [self.about, self.source].map(|text| escaped(&json!(text.map(cut)).to_string()));
         let sources = sources(self.summary.trajectory, self.table, self.derived);
         let cuts = escaped(&cuts(&sources).to_string());
-        let used = [&facts, &shape, &about, &source, &cuts].map(|text| text.len());
+        let used = [&facts, &shape, &drawing, &about, &source, &cuts].map(|text| text.len());
         let used = page("", "").len() + used.iter().sum::<usize>() + notes.concat().len();
         let rows = self.table.len();
         let room = LIMIT.saturating_sub(used + MARGIN);
@@ -115,6 +115,7 @@ impl<'a> Report<'a> {
             ("about", about),
             ("source", source),
             ("mechanism", shape),
+            ("drawing", drawing),
             ("palette", palette::to_json().to_string()),
             ("notes", escaped(&json!(notes).to_string())),
             ("cuts", cuts),
@@ -131,15 +132,13 @@ impl<'a> Report<'a> {
 
 /// The page with its data, JSON that is escaped, and its values in base64. The script writes the title, since names are data.
 fn page(data: &str, values: &str) -> String {
-    Page {
+    Live {
         title: "linkdyn report",
-        styles: &[STYLE],
+        style: "",
         body: BODY,
-        live: Some(Live {
-            data,
-            values,
-            script: &SCRIPT.concat(),
-        }),
+        scripts: SCRIPTS,
+        data,
+        values,
     }
     .html()
 }
@@ -168,16 +167,4 @@ fn left_out(plan: &Plan, rows: usize, columns: usize, all_columns: usize) -> Vec
         notes.push("Numbers in this page have 7 digits; results.csv has all 16.".into());
     }
     notes
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_scripts_can_stand_in_a_page() {
-        for text in SCRIPT.iter().chain([&STYLE]) {
-            assert!(crate::html::can_stand_in_a_page(text));
-        }
-    }
 }

@@ -54,6 +54,20 @@ impl Shape {
         serde_json::to_value(self).unwrap_or_default()
     }
 
+    /// What a page needs beside its drawing: corners are in the drawing alone.
+    pub(crate) fn for_page(&self) -> Value {
+        let mut shape = self.clone();
+        for joint in &mut shape.joints {
+            if let JointKind::Cam(profile) = &mut joint.kind {
+                profile.outline.clear();
+            }
+            if let JointKind::Contact { outlines, .. } = &mut joint.kind {
+                outlines.clear();
+            }
+        }
+        shape.to_json()
+    }
+
     /// What 0.1 knew of it, as `summary.json` keeps it under `drawing`.
     pub fn to_drawing(&self) -> Value {
         let at = |point: PointId| (point.0, self.point(point).unwrap_or_default());
@@ -150,14 +164,8 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
     };
     let spring = |between: &[BodyPoint; 2]| {
         Ok(Spring {
-            name: String::new(),
             between: pair(*between)?,
-            damper: false,
-            damped: false,
-            actuator: false,
-            cable: false,
-            driven: false,
-            limits: None,
+            ..Spring::default()
         })
     };
     let body = |body: &DrawnBody| Body {

@@ -42,12 +42,9 @@ impl Shape {
             DriverKind::Length { between } => Some(Spring {
                 name: driver.name.clone(),
                 between,
-                damper: false,
-                damped: false,
                 actuator: true,
-                cable: false,
                 driven: true,
-                limits: None,
+                ..Spring::default()
             }),
             DriverKind::Rotation { .. } | DriverKind::Translation { .. } => None,
         });
@@ -75,31 +72,20 @@ impl Shape {
                 between: numbers.ends(between),
                 damper: *stiffness == 0.0,
                 damped: *stiffness != 0.0 && *damping != 0.0,
-                actuator: false,
-                cable: false,
-                driven: false,
-                limits: None,
+                ..Spring::default()
             }),
             ForceKind::Actuator { between, .. } => self.springs.push(Spring {
                 name,
                 between: numbers.ends(between),
-                damper: false,
-                damped: false,
                 actuator: true,
-                cable: false,
-                driven: false,
-                limits: None,
+                ..Spring::default()
             }),
             ForceKind::Cable { through, .. } => {
                 let stretches = through.windows(2).map(|pair| Spring {
                     name: name.clone(),
                     between: [numbers.point(&pair[0]), numbers.point(&pair[1])],
-                    damper: false,
-                    damped: false,
-                    actuator: false,
                     cable: true,
-                    driven: false,
-                    limits: None,
+                    ..Spring::default()
                 });
                 self.springs.extend(stretches);
             }

@@ -170,7 +170,7 @@ pub struct Clearance {
 }
 
 /// A spring, damper or actuator between two points.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Spring {
     /// Name in the model.
     pub name: String,

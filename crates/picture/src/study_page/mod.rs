@@ -15,3 +15,6 @@ mod parts;
 mod values;
 
 pub use parts::{Motion, Played, StudyPage, Variable, Variant, most_motions, most_rows};
+
+#[cfg(test)]
+pub(crate) use page::SCRIPTS;

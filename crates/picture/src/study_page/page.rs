@@ -1,29 +1,24 @@
 //! The page.
 
-use data_encoding::BASE64;
 use serde_json::{Value, json};
 
 use super::parts::{Played, StudyPage, Variable};
 use super::values::Values;
 use crate::accuracy_page::Unit;
-use crate::html::{Live, Page, escaped};
+use crate::html::{self, Live, escaped};
+use crate::mechanism::Drawing;
 use crate::palette;
-use crate::report;
-use crate::scripts;
 use crate::shape::Shape;
 
 const BODY: &str = include_str!("page.html");
-const OWN_STYLE: &str = include_str!("page.css");
+const STYLE: &str = include_str!("page.css");
 /// In the order in which they build on each other.
-const SCRIPT: [&str; 16] = [
-    scripts::EMBEDDED,
-    scripts::THEME,
-    scripts::UNITS,
+pub const SCRIPTS: &[&str] = &[
     include_str!("js/data.js"),
     include_str!("js/choice.js"),
-    scripts::SHAPES,
-    scripts::SYMBOLS,
-    scripts::DRAWING,
+    html::PLAYER,
+    html::PLACES,
+    html::DRAWING,
     include_str!("js/frame.js"),
     include_str!("js/heat.js"),
     include_str!("js/cards.js"),
@@ -35,7 +30,7 @@ const SCRIPT: [&str; 16] = [
 ];
 /// Reasons that are told by name.
 const MOST_REASONS: usize = 100;
-/// Shapes of more text than this are left out.
+/// Shapes and drawings of more text than this are left out.
 const LARGEST_SHAPE: usize = 300_000;
 
 impl StudyPage<'_> {
@@ -49,7 +44,7 @@ impl StudyPage<'_> {
         }
         let mut values = Values::default();
         let middles = values.rows(self, &reasons);
-        let (why, shape, played) = self.motions(&mut values);
+        let (why, [shape, drawing], played) = self.motions(&mut values);
         let (inputs, responses) = middles.split_at(self.inputs.len());
         let [length, angle] = self.units.each_ref().map(unit);
         let data = json!({
@@ -64,27 +59,29 @@ impl StudyPage<'_> {
             "reasons": reasons,
             "summary": self.summary,
             "mechanism": shape,
+            "drawing": drawing,
             "played": played,
             "not_played": why,
             "bytes": 4,
             "palette": palette::to_json(),
         });
-        Page {
+        Live {
             title: "linkdyn study",
-            styles: &[report::STYLE, OWN_STYLE],
+            style: STYLE,
             body: BODY,
-            live: Some(Live {
-                data: &escaped(&data.to_string()),
-                values: &BASE64.encode(values.bytes()),
-                script: &SCRIPT.concat(),
-            }),
+            scripts: SCRIPTS,
+            data: &escaped(&data.to_string()),
+            values: &values.text(),
         }
         .html()
     }
 
-    /// Why there is none, the mechanism, and what of the motions the page must know.
-    fn motions(&self, values: &mut Values) -> (Option<&str>, Value, Value) {
-        let none = |why: &'static str| (Some(why), Shape::default().to_json(), Value::Null);
+    /// Why there is none, the mechanism and its drawing, and what of the motions the page must know.
+    fn motions(&self, values: &mut Values) -> (Option<&str>, [Value; 2], Value) {
+        let none = |why: &'static str| {
+            let nothing = [Shape::default().to_json(), Drawing::empty().0];
+            (Some(why), nothing, Value::Null)
+        };
         let motions = match &self.played {
             Played::None(why) => return none(why),
             Played::Motions(motions) => motions,
@@ -92,11 +89,17 @@ impl StudyPage<'_> {
         let Some(first) = motions.first() else {
             return none("No variant has a motion that could be shown here.");
         };
-        let shape = first.shape.to_json();
-        if shape.to_string().len() > LARGEST_SHAPE {
+        let mechanism = first.drawn();
+        if mechanism
+            .iter()
+            .map(|json| json.to_string().len())
+            .sum::<usize>()
+            > LARGEST_SHAPE
+        {
             return none("The model is too large to be drawn here.");
         }
-        (None, shape, values.motions(motions))
+        let played = values.motions(motions);
+        (None, mechanism, played)
     }
 }
 
@@ -112,16 +115,4 @@ fn variables(variables: &[Variable], middles: &[f64]) -> Value {
 
 fn unit(unit: &Unit) -> Value {
     json!([unit.symbol, unit.size])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_scripts_can_stand_in_a_page() {
-        for text in SCRIPT.iter().chain([&OWN_STYLE]) {
-            assert!(crate::html::can_stand_in_a_page(text));
-        }
-    }
 }

@@ -4,6 +4,8 @@ use serde_json::Value;
 
 use super::values::{FEWEST_INSTANTS, instant_bytes};
 use crate::accuracy_page::Unit;
+use crate::mechanism::Drawing;
+use crate::poses::Pose;
 use crate::shape::Shape;
 
 /// Variants that are drawn, at most: more points than that are one blot.
@@ -81,6 +83,23 @@ pub struct Motion {
     pub times: Vec<f64>,
     /// x, y and angle of each moving body, instant by instant [m, rad].
     pub poses: Vec<f64>,
+}
+
+impl Motion {
+    /// The mechanism and its drawing.
+    pub(super) fn drawn(&self) -> [Value; 2] {
+        let moving = self.shape.bodies.len().saturating_sub(1);
+        let pose = |instant: &[f64]| {
+            let moving = instant.as_chunks::<3>().0.iter().copied();
+            [[0.0; 3]].into_iter().chain(moving).collect()
+        };
+        let rows: Vec<Vec<Pose>> = self
+            .poses
+            .chunks_exact((3 * moving).max(1))
+            .map(pose)
+            .collect();
+        [self.shape.for_page(), Drawing::of(&self.shape, &rows).0]
+    }
 }
 
 /// How many variants of so many columns a page draws.

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::parts::{Motion, StudyPage, Variable, most_instants};
+use crate::numbers::{Numbers, evenly};
 
 /// Size of a number \[bytes\].
 const BYTES: usize = 4;
@@ -24,84 +25,78 @@ pub fn instant_bytes(bodies: usize) -> usize {
 }
 
 /// The numbers of a page.
-#[derive(Debug, Default)]
-pub struct Values {
-    bytes: Vec<u8>,
+#[derive(Debug)]
+pub struct Values(Numbers);
+
+impl Default for Values {
+    fn default() -> Self {
+        Values(Numbers::new(false))
+    }
 }
 
 impl Values {
-    pub fn bytes(&self) -> &[u8] {
-        &self.bytes
-    }
-
-    fn push(&mut self, value: f64) {
-        let value = value as f32;
-        let value = if value.is_finite() { value } else { f32::NAN };
-        self.bytes.extend(value.to_le_bytes());
+    pub fn text(&self) -> String {
+        self.0.text()
     }
 
     /// Column after column; tells the middle of each variable.
     pub fn rows(&mut self, page: &StudyPage, reasons: &[&str]) -> Vec<f64> {
         for row in &page.rows {
-            self.push((row.number / PART) as f64);
+            self.0.push((row.number / PART) as f64);
         }
         for row in &page.rows {
-            self.push((row.number % PART) as f64);
+            self.0.push((row.number % PART) as f64);
         }
         for row in &page.rows {
             let of = |reason: &str| reasons.iter().position(|known| *known == reason);
             // reasons beyond those that are listed have one number
             let number = row.reason.as_deref();
             let number = number.map_or(0, |reason| 1 + of(reason).unwrap_or(reasons.len()));
-            self.push(number as f64);
+            self.0.push(number as f64);
         }
         let variables = page.inputs.iter().chain(&page.responses);
         let column = |(k, _): (usize, &Variable)| {
             let values = page.rows.iter().map(|row| row.values[k]);
             let middle = middle(values.clone());
-            values.for_each(|value| self.push(value - middle));
+            values.for_each(|value| self.0.push(value - middle));
             middle
         };
         variables.enumerate().map(column).collect()
     }
 
-    /// Motion after motion: the numbers of its shape that vary, then its instants. Says what of them the page must know.
+    /// The instants of motion after motion. Says what of them the page must know: of the mechanism and its drawing what is not as in the
+    /// first motion.
     pub fn motions(&mut self, motions: &[Motion]) -> Value {
         let Some(first) = motions.first() else {
             return json!([]);
         };
-        let leaves: Vec<Vec<(String, f64)>> = motions
-            .iter()
-            .map(|motion| numbers(&motion.shape.to_json()))
-            .collect();
-        let alike = |one: &[(String, f64)]| {
-            one.len() == leaves[0].len() && one.iter().zip(&leaves[0]).all(|(a, b)| a.0 == b.0)
-        };
-        let kept: Vec<usize> = (0..motions.len()).filter(|&k| alike(&leaves[k])).collect();
-        let varies = |&place: &usize| {
-            let value = |k: &usize| leaves[*k][place].1.to_bits();
-            kept.iter().any(|k| value(k) != value(&0))
-        };
-        let varying: Vec<usize> = (0..leaves[0].len()).filter(varies).collect();
         let bodies = first.shape.bodies.len().saturating_sub(1);
-        let most = most_instants(kept.len(), bodies);
-        let list = kept.iter().map(|&k| {
-            let motion = &motions[k];
-            for &place in &varying {
-                self.push(leaves[k][place].1);
-            }
+        let (most, drawn) = (most_instants(motions.len(), bodies), first.drawn());
+        let mut paths: Vec<String> = Vec::new();
+        let list = motions.iter().map(|motion| {
             let instants = evenly(motion.times.len(), most);
             for &instant in &instants {
-                self.push(motion.times[instant]);
+                self.0.push(motion.times[instant]);
                 let from = 3 * bodies * instant;
                 let poses = &motion.poses[from..from + 3 * bodies];
-                poses.iter().for_each(|value| self.push(*value));
+                poses.iter().for_each(|value| self.0.push(*value));
             }
-            json!([motion.variant, instants.len()])
+            let [shape, drawing] = motion.drawn();
+            let mut changes = Vec::new();
+            differences("/mechanism", &drawn[0], &shape, &mut changes);
+            differences("/drawing", &drawn[1], &drawing, &mut changes);
+            let changes = changes.into_iter().map(|(path, value)| {
+                let known = paths.iter().position(|known| *known == path);
+                let number = known.unwrap_or(paths.len());
+                if known.is_none() {
+                    paths.push(path);
+                }
+                json!([number, value])
+            });
+            json!([motion.variant, instants.len(), changes.collect::<Value>()])
         });
         let list: Value = list.collect();
-        let paths = varying.iter().map(|&place| leaves[0][place].0.as_str());
-        json!({ "list": list, "varying": paths.collect::<Vec<_>>(), "bodies": bodies })
+        json!({ "list": list, "paths": paths, "bodies": bodies })
     }
 }
 
@@ -115,35 +110,22 @@ fn middle(values: impl Iterator<Item = f64>) -> f64 {
     ends.map_or(0.0, |[low, high]| 0.5 * low + 0.5 * high)
 }
 
-/// All numbers below `count`, or so many of them, evenly spread, both ends included.
-fn evenly(count: usize, most: usize) -> Vec<usize> {
-    if count <= most {
-        return (0..count).collect();
-    }
-    (0..most).map(|k| k * (count - 1) / (most - 1)).collect()
-}
-
-/// All numbers of a value, each with its path.
-fn numbers(value: &Value) -> Vec<(String, f64)> {
-    fn walk(value: &Value, path: &str, found: &mut Vec<(String, f64)>) {
-        match value {
-            Value::Number(number) => found.push((path.into(), number.as_f64().unwrap_or(f64::NAN))),
-            Value::Array(list) => {
-                for (k, value) in list.iter().enumerate() {
-                    walk(value, &format!("{path}/{k}"), found);
-                }
+/// Paths at which a value is another one, with what is there.
+fn differences(path: &str, one: &Value, other: &Value, found: &mut Vec<(String, Value)>) {
+    match (one, other) {
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+            for (k, (a, b)) in a.iter().zip(b).enumerate() {
+                differences(&format!("{path}/{k}"), a, b, found);
             }
-            Value::Object(fields) => {
-                for (key, value) in fields {
-                    walk(value, &format!("{path}/{key}"), found);
-                }
-            }
-            Value::Null | Value::Bool(_) | Value::String(_) => {}
         }
+        (Value::Object(a), Value::Object(b)) if a.keys().eq(b.keys()) => {
+            for ((key, a), b) in a.iter().zip(b.values()) {
+                differences(&format!("{path}/{key}"), a, b, found);
+            }
+        }
+        (a, b) if a != b => found.push((path.into(), b.clone())),
+        (_, _) => {}
     }
-    let mut found = Vec::new();
-    walk(value, "", &mut found);
-    found
 }
 
 #[cfg(test)]
@@ -169,24 +151,43 @@ mod tests {
     }
 
     #[test]
-    fn of_a_shape_only_what_varies_is_told_again() {
+    fn of_a_mechanism_only_what_varies_is_told_again() {
         let mut values = Values::default();
         let told = values.motions(&[motion(None, 1.0), motion(Some(3), 2.0)]);
-        assert_eq!(told["varying"], json!(["/bodies/1/points/0/1"]));
-        assert_eq!(told["list"], json!([[null, 121], [3, 121]]));
-        let length = 2 * (BYTES + 121 * instant_bytes(1));
-        assert_eq!(values.bytes().len(), length);
-        let first: Vec<f32> = values.bytes()[..20]
-            .chunks(4)
-            .map(|four| f32::from_le_bytes([four[0], four[1], four[2], four[3]]))
-            .collect();
-        assert_eq!(first, [1.0, 0.0, 0.0, 1.0, 2.0]);
+        assert_eq!(told["list"][0], json!([null, 121, []]));
+        let changes = told["list"][1][2].as_array().expect("a list");
+        assert_eq!(
+            (&told["paths"][0], &changes[0]),
+            (&json!("/mechanism/bodies/1/points/0/1"), &json!([0, 2.0]))
+        );
+        // What is seen is another part of the plane; signs and parts are the same.
+        let paths = told["paths"]
+            .as_array()
+            .expect("paths")
+            .iter()
+            .filter_map(Value::as_str);
+        assert!(
+            changes.len() > 1 && paths.skip(1).all(|path| path.starts_with("/drawing/box")),
+            "{told}"
+        );
+        let mut expected = Numbers::new(false);
+        for _ in 0..2 {
+            for instant in evenly(1000, 121) {
+                let instant = instant as f64;
+                expected.extend([
+                    instant,
+                    3.0 * instant,
+                    3.0 * instant + 1.0,
+                    3.0 * instant + 2.0,
+                ]);
+            }
+        }
+        assert_eq!(values.text(), expected.text());
     }
 
     #[test]
     fn middles_have_all_digits_of_what_varies() {
         assert_eq!(middle([f64::NAN, 2.0, 4.0].into_iter()), 3.0);
         assert_eq!(middle([f64::NAN].into_iter()), 0.0);
-        assert_eq!(evenly(5, 3), [0, 2, 4]);
     }
 }

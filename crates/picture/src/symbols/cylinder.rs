@@ -1,7 +1,6 @@
 //! A hydraulic or pneumatic cylinder.
 
-use super::line::Line;
-use crate::scene::{Ink, Pen, Place, Scene};
+use crate::sign::{Corner, Edge, OUTLINE, Paint, Sign, Stroke, area};
 
 /// Half widths of barrel and rod, and half the length of a piston, in bars.
 const BARREL: f64 = 1.7;
@@ -10,41 +9,34 @@ const PISTON: f64 = 0.5;
 /// How much of the fill a barrel has: the piston shows through.
 const FILL: f64 = 0.55;
 
-/// Where barrel and rod begin and end along the axis \[pt\].
-#[derive(Debug, Clone, Copy)]
-pub struct Cylinder {
-    /// Where distances count from.
-    pub origin: Place,
-    /// The axis, length one.
-    pub along: [f64; 2],
-    /// Both ends of the barrel.
-    pub barrel: [f64; 2],
-    /// The piston, and the free end of the rod.
-    pub rod: [f64; 2],
+fn strip(
+    class: &'static str,
+    [from, to]: [Corner; 2],
+    half: f64,
+    fill: Paint,
+    edge: Option<Edge>,
+) -> Stroke {
+    let corners = [
+        from.beside(0.0, half),
+        to.beside(0.0, half),
+        to.beside(0.0, -half),
+        from.beside(0.0, -half),
+    ];
+    area(class, corners, fill, edge)
 }
 
-/// A cylinder with fill and outline of its barrel and of its rod.
-pub fn cylinder(
-    scene: &mut Scene,
-    cylinder: &Cylinder,
-    bar: f64,
-    barrel: (Ink, Pen),
-    rod: (Ink, Pen),
-) {
-    let line = Line::from(cylinder.origin, cylinder.along);
-    let strip = |[from, to]: [f64; 2], half: f64| {
-        [[from, half], [to, half], [to, -half], [from, -half]].map(|[far, off]| line.at(far, off))
-    };
-    let [piston, _] = cylinder.rod;
-    scene.area(
-        "rod",
-        strip(cylinder.rod, ROD * bar),
-        Some(rod.0),
-        Some(rod.1),
-    );
-    let shell = strip(cylinder.barrel, BARREL * bar);
-    scene.area("barrel", shell, Some(barrel.0.faded(FILL)), Some(barrel.1));
-    let reach = [piston - PISTON * bar, piston + PISTON * bar];
-    let inside = BARREL * bar - barrel.1.width;
-    scene.area("piston", strip(reach, inside), Some(rod.1.ink), None);
+/// The rod from its piston to its free end.
+pub fn rod(ends: [Corner; 2], (fill, edge): (Paint, Edge)) -> Sign {
+    vec![strip("rod", ends, ROD, fill, Some(edge))]
+}
+
+/// The barrel.
+pub fn barrel(ends: [Corner; 2], (fill, edge): (Paint, Edge)) -> Sign {
+    vec![strip("barrel", ends, BARREL, fill.faded(FILL), Some(edge))]
+}
+
+/// The piston.
+pub fn piston(at: Corner, edge: Edge) -> Sign {
+    let ends = [at.beside(-PISTON, 0.0), at.beside(PISTON, 0.0)];
+    vec![strip("piston", ends, BARREL - OUTLINE, edge.paint, None)]
 }

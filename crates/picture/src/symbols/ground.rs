@@ -1,48 +1,43 @@
 //! What stands still: hatched lines, supports of pins, rails of a guide.
 
-use super::line::{BLOCK, Line};
-use crate::scene::{Ink, Pen, Place, Scene};
+use super::line::BLOCK;
+use crate::palette::{CARD, GROUND};
+use crate::sign::{Corner, Edge, OUTLINE, Outline, Paint, Sign, Stroke, area, bars};
 
 /// The support of a pin: a triangle on hatched ground.
-pub fn support(scene: &mut Scene, [x, y]: Place, bar: f64, pen: Pen) {
-    let foot = y + 2.6 * bar;
-    let corners = [[x, y], [x + 1.6 * bar, foot], [x - 1.6 * bar, foot]];
-    let white = Ink::grey(255).faded(pen.ink.alpha);
-    scene.area("support", corners, Some(white), Some(pen));
-    let ends = [[x - 2.4 * bar, foot], [x + 2.4 * bar, foot]];
-    hatched_line(scene, ends, bar, pen);
+pub fn support() -> Sign {
+    let foot = -2.6;
+    let corners = [bars(0.0, 0.0), bars(1.6, foot), bars(-1.6, foot)];
+    let triangle = area("support", corners, Paint::of(CARD), Edge::of(GROUND));
+    let ground = hatched_line(
+        [bars(-2.4, foot), bars(2.4, foot)],
+        f64::INFINITY,
+        Edge::of(GROUND),
+    );
+    vec![triangle, ground]
 }
 
-/// A line with short strokes on its right side, seen from the first place to the second.
-pub fn hatched_line(scene: &mut Scene, ends: [Place; 2], bar: f64, pen: Pen) {
-    let wide = Pen {
-        width: 1.5 * pen.width,
-        ..pen
-    };
-    scene.line("ground", ends, wide);
-    let Some(line) = Line::between(ends) else {
-        return;
-    };
-    let strokes = (line.length / (0.9 * bar)).floor().clamp(1.0, 200.0) as usize;
-    let thin = Pen {
-        width: 0.7 * pen.width,
-        ..pen
-    };
-    for index in 0..strokes {
-        let far = line.length * (index as f64 + 0.7) / strokes as f64;
-        let stroke = [line.at(far, 0.0), line.at(far - 0.7 * bar, 0.7 * bar)];
-        scene.line("hatch", stroke, thin);
+/// A line with short strokes on its right side, seen from the first corner to the second; a bar is `bar` metres long where strokes
+/// are counted.
+pub fn hatched_line(ends: [Corner; 2], bar: f64, edge: Edge) -> Stroke {
+    let [from, to] = &ends;
+    let [x, y] = [0, 1].map(|k| (to.metres[k] - from.metres[k]) / bar + to.bars[k] - from.bars[k]);
+    let strokes = (x.hypot(y) / 0.9).floor().clamp(1.0, 200.0) as usize;
+    Stroke {
+        class: "ground",
+        outline: Outline::Ground(ends, strokes),
+        fill: None,
+        edge: Some(edge),
     }
 }
 
 /// Both rails of a guide that stands still; `ends` are the outermost places of the block.
-pub fn rails(scene: &mut Scene, [from, to]: [Place; 2], direction: [f64; 2], bar: f64, pen: Pen) {
-    let [over, away] = [(BLOCK[0] + 0.8) * bar, BLOCK[1] * bar + 0.5 * pen.width];
-    let [start, end] = [Line::from(from, direction), Line::from(to, direction)];
-    let right = [start.at(-over, away), end.at(over, away)];
+pub fn rails([from, to]: [Corner; 2], bar: f64) -> Sign {
+    let [over, away] = [BLOCK[0] + 0.8, BLOCK[1] + 0.5 * OUTLINE];
+    let right = [from.beside(-over, -away), to.beside(over, -away)];
     // Backwards, so that its strokes are outside as well.
-    let left = [end.at(over, -away), start.at(-over, -away)];
-    for rail in [right, left] {
-        hatched_line(scene, rail, bar, pen);
-    }
+    let left = [to.beside(over, away), from.beside(-over, away)];
+    [right, left]
+        .map(|rail| hatched_line(rail, bar, Edge::BODY))
+        .to_vec()
 }

@@ -34,7 +34,7 @@ pub fn rounded_hull(corners: &[Place], radius: f64) -> Vec<Place> {
 }
 
 /// Convex hull, each corner once, anticlockwise in axes with y upwards (Andrew 1979).
-fn hull(places: &[Place]) -> Vec<Place> {
+pub fn hull(places: &[Place]) -> Vec<Place> {
     let mut sorted = places.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     sorted.dedup_by(|a, b| (a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9);

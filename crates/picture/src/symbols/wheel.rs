@@ -1,6 +1,7 @@
 //! Toothed wheels.
 
-use crate::scene::{Ink, Pen, Place, Scene};
+use crate::sign::{Colour, Corner, Edge, Paint, Sign, Stroke, area, circle, line, metres};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Length of a tooth with its gap along the pitch circle, half its depth, and the rim of an internal wheel, in bars.
 const PITCH: f64 = 2.0;
@@ -10,92 +11,69 @@ pub(super) const RIM: f64 = 1.5;
 const TEETH: [f64; 2] = [8.0, 240.0];
 /// Where a tooth changes between root (−1) and tip (1), as parts of its pitch.
 const TOOTH: [[f64; 2]; 4] = [[0.0, -1.0], [0.3, -1.0], [0.45, 1.0], [0.85, 1.0]];
+/// Pieces of the rim of an internal wheel.
+const PIECES: usize = 90;
 /// How much of the fill a wheel has: what lies behind shows through.
 pub(super) const FILL: f64 = 0.45;
 
-/// A wheel with its pitch circle on the page.
-#[derive(Debug, Clone, Copy)]
-pub struct Wheel {
-    /// Where it turns.
-    pub centre: Place,
-    /// Radius of the pitch circle \[pt\].
-    pub radius: f64,
-    /// How far it has turned to the left \[rad\].
-    pub angle: f64,
-    /// Teeth inside of a ring.
-    pub internal: bool,
+/// A corner around the origin; the angle counts to the right.
+fn around(radius: f64, angle: f64) -> Corner {
+    metres(radius * angle.cos(), -radius * angle.sin())
 }
 
-impl Wheel {
-    fn at(&self, radius: f64, angle: f64) -> Place {
-        let turned = angle - self.angle;
-        [
-            self.centre[0] + radius * turned.cos(),
-            self.centre[1] + radius * turned.sin(),
-        ]
-    }
-
-    /// Draws two spokes of that length \[pt\].
-    pub(super) fn spokes(&self, scene: &mut Scene, reach: f64, pen: Pen) {
-        let dashed = Pen {
-            dash: &[3.0, 2.0],
-            ink: pen.ink.faded(0.6),
-            ..pen
-        };
-        for quarter in [0.0, std::f64::consts::FRAC_PI_2] {
-            let ends = [reach, -reach].map(|radius| self.at(radius, quarter));
-            scene.line("spoke", ends, dashed);
-        }
-    }
-
-    /// Number of its teeth.
-    pub(super) fn count(&self, bar: f64) -> f64 {
-        (std::f64::consts::TAU * self.radius / (PITCH * bar))
-            .round()
-            .clamp(TEETH[0], TEETH[1])
-    }
-
-    fn teeth(&self, bar: f64) -> Vec<Place> {
-        let around = std::f64::consts::TAU;
-        let count = self.count(bar);
-        let tooth = |k: usize| {
-            TOOTH.map(|[part, out]| {
-                let angle = around * (k as f64 + part) / count;
-                self.at(self.radius + out * DEPTH * bar, angle)
-            })
-        };
-        (0..count as usize).flat_map(tooth).collect()
-    }
+/// Two spokes of that length \[m\].
+pub(super) fn spokes(reach: f64) -> impl Iterator<Item = Stroke> {
+    let dashed = Edge {
+        paint: Paint {
+            colour: Colour::Edge,
+            alpha: 0.6,
+        },
+        dash: &[3.0, 2.0],
+        ..Edge::BODY
+    };
+    [0.0, FRAC_PI_2].into_iter().map(move |quarter| {
+        line(
+            "spoke",
+            [reach, -reach].map(|radius| around(radius, quarter)),
+            dashed,
+        )
+    })
 }
 
-/// Draws a wheel with a sign that shows how it turns.
-pub fn wheel(scene: &mut Scene, wheel: &Wheel, bar: f64, (fill, pen): (Ink, Pen)) {
-    let teeth = wheel.teeth(bar);
-    let fill = Some(fill.faded(FILL));
-    if wheel.internal {
-        ring(scene, wheel, teeth, bar, (fill, pen));
-        return;
+/// Number of teeth of a wheel with that radius, where a bar is so long \[m\].
+pub(super) fn teeth_count(radius: f64, bar: f64) -> f64 {
+    (TAU * radius / (PITCH * bar))
+        .round()
+        .clamp(TEETH[0], TEETH[1])
+}
+
+/// A wheel with that radius of its pitch circle, with a sign that shows how it turns; a bar is so many metres long.
+pub fn wheel(radius: f64, internal: bool, bar: f64) -> Sign {
+    let count = teeth_count(radius, bar);
+    let tooth = |k: usize| {
+        TOOTH.map(|[part, out]| around(radius + out * DEPTH * bar, TAU * (k as f64 + part) / count))
+    };
+    let teeth: Vec<Corner> = (0..count as usize).flat_map(tooth).collect();
+    let fill = Paint::FILL.faded(FILL);
+    if internal {
+        return ring(teeth, radius + RIM * bar, fill);
     }
-    scene.area("wheel", teeth, fill, Some(pen));
-    let reach = (wheel.radius - 2.0 * DEPTH * bar).max(0.0);
-    wheel.spokes(scene, reach, pen);
+    let reach = (radius - 2.0 * DEPTH * bar).max(0.0);
+    [area("wheel", teeth, fill, Edge::BODY)]
+        .into_iter()
+        .chain(spokes(reach))
+        .collect()
 }
 
 /// A ring with teeth inside: its area goes around outside, and back inside.
-fn ring(
-    scene: &mut Scene,
-    wheel: &Wheel,
-    teeth: Vec<Place>,
-    bar: f64,
-    (fill, pen): (Option<Ink>, Pen),
-) {
-    let outside = wheel.radius + RIM * bar;
-    let pieces = 90;
-    let rim = |k: usize| wheel.at(outside, std::f64::consts::TAU * k as f64 / pieces as f64);
-    let mut places: Vec<Place> = (0..=pieces).map(rim).collect();
-    places.extend(teeth.first());
-    places.extend(teeth.iter().rev());
-    scene.area("wheel", places, fill, None);
-    scene.area("wheel", teeth, None, Some(pen));
-    scene.circle("wheel", wheel.centre, outside, None, Some(pen));
+fn ring(teeth: Vec<Corner>, outside: f64, fill: Paint) -> Sign {
+    let rim = |k: usize| around(outside, TAU * k as f64 / PIECES as f64);
+    let mut corners: Vec<Corner> = (0..=PIECES).map(rim).collect();
+    corners.extend(teeth.first());
+    corners.extend(teeth.iter().rev());
+    vec![
+        area("wheel", corners, fill, None),
+        area("wheel", teeth, None, Edge::BODY),
+        circle("wheel", Corner::default(), [outside, 0.0], None, Edge::BODY),
+    ]
 }

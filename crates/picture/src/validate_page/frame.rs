@@ -1,7 +1,6 @@
 //! What pages of a validation have around their content.
 
-use crate::html::Page;
-use crate::report;
+use crate::html::{self, Page};
 
 const OWN_STYLE: &str = include_str!("page.css");
 
@@ -10,9 +9,8 @@ pub fn page(title: &str, content: &str) -> String {
     let engine = env!("CARGO_PKG_VERSION");
     Page {
         title: &format!("{title} – validation – linkdyn"),
-        styles: &[report::STYLE, OWN_STYLE],
+        styles: &[html::STYLE, OWN_STYLE],
         body: &format!("{content}\n<footer id=\"foot\"><p>linkdyn {engine}.</p></footer>\n"),
-        live: None,
     }
     .html()
 }

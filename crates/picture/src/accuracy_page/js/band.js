@@ -2,38 +2,35 @@
 // The deviation over the stroke, and the pose that is chosen on it.
 (() => {
   if (!linkdyn.outputs.length) return;
-  const { choice, element, file, drawing, marks, theme, palette, plain } = linkdyn;
-  const id = (name) => document.getElementById(name);
-  const holder = id("plot"), TALL = 250, FONT = "12px system-ui, sans-serif";
-  const tick = (u, splits) => splits.map((value) => value === null ? null : file.number(value, 6));
+  const { choice, element, svg, file, bands, marks, axes, colour, tone, theme, plain, id } = linkdyn;
+  const holder = id("plot"), TALL = 250;
   // Limits that are farther than this many heights of the curves do not widen the axis.
   const FAR = 8;
-  const tone = (k) => palette.curves[k][theme.dark ? "dark" : "light"];
   const TONES = { certified: 1, found: 2, sigma: 3, moved: 4 };
   // What is shown about the chosen pose, as a part of the stroke.
   const NEAR = 0.06;
-  let u = null, width = 0, line = null, peaks = [], closer = false;
+  let u = null, width = 0, line = null, peaks = [], isNear = false;
 
   const curve = (output, values, size) => Array.from(values.subarray(0, output.rows), (value) => Number.isFinite(value) ? value / size : null);
 
   // First and last place on the axis to show, in SI.
   const ends = ({ x, rows }) => {
     const [a, b] = [x.values[0], x.values[rows - 1]].sort((a, b) => a - b);
-    if (!closer) return [a, b];
+    if (!isNear) return [a, b];
     const middle = x.values[choice.detail.row], half = (b - a) * NEAR / 2;
     return [Math.max(a, middle - half), Math.min(b, middle + half)];
   };
 
   // Least and greatest deviation to show, in SI: all that is in view, but for peaks where the whole stroke is.
   const span = (output) => {
-    const { band, x, limits } = output, range = closer ? null : output.range, [from, to] = ends(output);
+    const { band, x, limits } = output, range = isNear ? null : output.range, [from, to] = ends(output);
     let [low, high] = range || [0, 0];
     const add = (value) => { if (Number.isFinite(value)) [low, high] = [Math.min(low, value), Math.max(high, value)]; };
     for (let row = 0; !range && row < output.rows; row++) {
       if (x.values[row] < from || x.values[row] > to) continue;
       for (const name of ["reach_low", "reach_high", "certified_low", "certified_high"]) add(band[name][row]);
       // Beside a change point the spread to first order grows without bound, and would hide the rest.
-      for (const sign of closer ? [] : [-3, 3]) add(band.mean[row] + sign * band.sigma[row]);
+      for (const sign of isNear ? [] : [-3, 3]) add(band.mean[row] + sign * band.sigma[row]);
     }
     if (choice.isMoved) for (const detail of output.details) {
       const { row } = detail, by = choice.shift(detail), at = x.values[row];
@@ -46,20 +43,17 @@
   };
 
   const swatch = (kind, ink) => {
-    const make = (tag, rest) => { const made = document.createElementNS("http://www.w3.org/2000/svg", tag); for (const [key, value] of Object.entries(rest)) made.setAttribute(key, value); return made; };
-    const svg = make("svg", { width: 20, height: 10, "aria-hidden": "true" });
-    if (kind === "area") svg.append(make("rect", { width: 20, height: 10, fill: ink, "fill-opacity": 0.3, stroke: ink }));
-    else if (kind === "hatch") for (let x = -4; x < 20; x += 6) svg.append(make("line", { x1: x, y1: 10, x2: x + 10, y2: 0, stroke: ink }));
-    else svg.append(make("line", { x1: 0, x2: 20, y1: 5, y2: 5, stroke: ink, "stroke-width": 2, "stroke-dasharray": kind === "dash" ? "6 3" : "" }));
-    return svg;
+    if (kind === "area") return svg("svg", { width: 20, height: 10, "aria-hidden": "true" }, svg("rect", { width: 20, height: 10, fill: ink, "fill-opacity": 0.3, stroke: ink }));
+    if (kind === "hatch") return svg("svg", { width: 20, height: 10, "aria-hidden": "true" }, ...[-4, 2, 8, 14].map((x) => svg("line", { x1: x, y1: 10, x2: x + 10, y2: 0, stroke: ink })));
+    return axes.swatch(ink, { wide: 20, width: 2, dash: kind === "dash" ? [6, 3] : [] });
   };
   const legend = (output) => {
     const part = (kind, ink, text) => element("span", {}, swatch(kind, ink), element("span", { text }));
     const open = linkdyn.level === 2 && output.certified < output.poses;
     id("legend").replaceChildren(
       ...(output.certified ? [part("area", tone(TONES.certified), "certified")] : []), part("line", tone(TONES.found), linkdyn.reach), part("dash", tone(TONES.sigma), "±3σ"),
-      ...(output.limits ? [part("line", drawing.colour("bad"), "limits")] : []),
-      ...(open ? [part("hatch", drawing.colour("warn"), "nothing certified")] : []),
+      ...(output.limits ? [part("line", colour("bad"), "limits")] : []),
+      ...(open ? [part("hatch", colour("warn"), "nothing certified")] : []),
       ...(choice.isMoved ? [part("line", tone(TONES.moved), "what if, and the worst along with it")] : []));
   };
 
@@ -93,31 +87,31 @@
     if (u) { u.destroy(); u = null; }
     if (output.alone || width < 40) return;
     legend(output);
-    const [ink, grid] = [drawing.colour("muted"), drawing.colour("grid")];
-    const axis = { stroke: ink, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 5 }, font: FONT, labelFont: FONT };
     const [first, last] = ends(output).map((value) => value / x.size);
     const series = (stroke, rest) => ({ scale: "y", stroke, width: 1.5, spanGaps: false, points: { show: false }, ...rest });
     const [found, sigma, moving] = [TONES.found, TONES.sigma, TONES.moved].map(tone);
-    const xs = Array.from(output.x.values, (value) => value / x.size);
-    const atX = { ...output, x: { ...output.x, values: xs } };
-    const spread = (sign) => output.band.mean.map((mean, row) => mean + sign * 3 * output.band.sigma[row]);
-    const told = [
-      { name: linkdyn.reach, ink: found, values: [output.band.reach_low, output.band.reach_high] },
-      { name: "certified", ink: tone(TONES.certified), values: [output.band.certified_low, output.band.certified_high] },
-      { name: "±3σ", ink: sigma, values: [spread(-1), spread(1)] },
-    ];
+    const xs = Array.from(output.x.values, (value) => value / x.size), all = data(output, size);
+    // Values as the plot has them, on an axis that ascends.
+    const inOrder = (values) => { const shown = Array.from(values, (value) => value / size); return turned(output) ? shown.reverse() : shown; };
+    const peaksOf = (name, ink, both) => both.map((values, end) => {
+      const shown = inOrder(values);
+      const words = (row) => `${name} ${file.signed(shown[row] * size, output.unit)} at ${file.number(all[0][row], 5)}${x.symbol === "°" ? x.symbol : ` ${x.symbol}`}`;
+      return { name, ink, values: shown, sign: end ? 1 : -1, words };
+    });
+    const { band } = output, spread = (sign) => band.mean.map((mean, row) => mean + sign * 3 * band.sigma[row]);
+    const curves = [...peaksOf(linkdyn.reach, found, [band.reach_low, band.reach_high]), ...peaksOf("certified", tone(TONES.certified), [band.certified_low, band.certified_high]), ...peaksOf("±3σ", sigma, [spread(-1), spread(1)])];
+    function* inView() { for (let row = 0; row < output.rows; row++) if (all[0][row] >= first && all[0][row] <= last) yield row; }
     u = new uPlot({
-      width, height: TALL, pxAlign: 0, legend: { show: false }, padding: [8, 14, 0, 0],
+      ...axes.options(false), width, height: TALL, padding: [8, 14, 0, 0],
       scales: { x: { time: false, range: [first, last] }, y: { range: () => span(output).map((value) => value / size) } },
-      axes: [{ ...axis, values: tick, label: `${plain(output.x.label)} [${x.symbol}]`, labelSize: 16, size: 28 }, { ...axis, values: tick, size: 72, space: 34 }],
+      axes: [axes.axis(x.symbol, { label: `${plain(output.x.label)} [${x.symbol}]`, labelSize: 16, size: 28 }), axes.axis("", { size: 72, space: 34 })],
       series: [{}, series(found), series(found), series(sigma, { dash: [7, 4] }), series(sigma, { dash: [7, 4] }),
         series(moving, { width: 2.2, spanGaps: true }), series(moving, { dash: [3, 3], spanGaps: true }), series(moving, { dash: [3, 3], spanGaps: true })],
-      cursor: { x: false, y: false, points: { show: false }, drag: { x: false, y: false, setScale: false } },
       hooks: {
-        drawClear: [(u) => { if (linkdyn.level === 2) marks.certified(u, atX, size, tone(TONES.certified)); }],
-        draw: [(u) => { marks.limits(u, output, size); peaks = marks.peaks(u, atX, x.symbol, size, told); mark(); }],
+        drawClear: [(u) => { if (linkdyn.level === 2) bands.certified(u, output, xs, size, tone(TONES.certified)); }],
+        draw: [(u) => { bands.limits(u, output, size); peaks = marks.peaks(u, curves, inView).found.map(({ curve, at }) => ({ name: curve.name, value: curve.values[at] * size })); mark(); }],
       },
-    }, data(output, size), holder);
+    }, all, holder);
     line = element("div", { className: "now-line" });
     u.over.append(line);
     const seek = (event) => nearest(u.posToVal(event.clientX - u.over.getBoundingClientRect().left, "x") * x.size);
@@ -142,19 +136,19 @@
     id("pose_at").textContent = plain(choice.where());
     id("pose").setAttribute("aria-valuetext", plain(choice.where()));
     const open = linkdyn.level === 2 ? output.poses - output.certified : 0;
-    const cut = peaks.length ? " Peaks are cut off; triangles tell their values." : "";
-    id("band_note").textContent = (open ? `Nothing is certified at ${open} of ${output.poses} poses: no bound could be proved there, as beside a change point or a dead centre.` : "") + cut;
+    const cut = peaks.length ? " Peaks are cut off; triangles show their values." : "";
+    id("band_note").textContent = (open ? `Nothing is certified at ${open} of ${output.poses} poses: no bound could be proved there, for instance near a change point or a dead centre.` : "") + cut;
   };
 
   new ResizeObserver(() => setTimeout(() => { const now = Math.floor(holder.clientWidth); if (now !== width) { width = now; build(); } }, 0)).observe(holder);
   width = Math.floor(holder.clientWidth);
   id("pose").addEventListener("input", () => choice.seek(Number(id("pose").value)));
-  const look = () => { closer = !closer; id("closer").setAttribute("aria-pressed", closer); build(); };
-  id("closer").addEventListener("click", look);
-  id("farthest").addEventListener("click", () => choice.seek(choice.output.worst));
+  const look = () => { isNear = !isNear; id("zoom").setAttribute("aria-pressed", isNear); build(); };
+  id("zoom").addEventListener("click", look);
+  id("largest").addEventListener("click", () => choice.seek(choice.output.worst));
   choice.onChange((what) => {
     if (what === "output") { build(); mark(); }
-    else if (what === "pose") { if (closer) build(); else mark(); }
+    else if (what === "pose") { if (isNear) build(); else mark(); }
     else if (what === "moved" && u) { legend(choice.output); u.setData(data(choice.output, file.of(choice.output.unit).size)); }
   });
   theme.onChange(build);

@@ -37,5 +37,5 @@
   given.mechanism.bodies.slice(1).forEach(({ name }, body) => ["x", "y", "angle"].forEach((quantity, k) =>
     names.set(`${name}.${quantity}`, { values: Float64Array.from(frames, (frame) => frame[3 * body + k]) })));
 
-  Object.assign(linkdyn, { outputs, level: given.level, reach: reach.name, sources, drivers, mechanism: given.mechanism, palette: given.palette, rows: frames.length, column: (name) => names.get(name) });
+  Object.assign(linkdyn, { outputs, level: given.level, reach: reach.name, sources, drivers, rows: frames.length, column: (name) => names.get(name) });
 })();

@@ -43,7 +43,7 @@
     const chosen = output === choice.output, found = verdict(output);
     const row = chosen ? choice.detail.row : output.details[output.worst].row;
     const at = chosen ? choice.where() : output.farthest_at.map(([name, value, unit]) => `${name} = ${file.value(value, unit, 5)}`).join(", ");
-    const where = output.alone ? `at ${at}` : chosen && choice.number !== output.worst ? `${output.poses} poses, here at ${at}` : `${output.poses} poses, farthest at ${at}`;
+    const where = output.alone ? `at ${at}` : chosen && choice.number !== output.worst ? `${output.poses} poses, here at ${at}` : `${output.poses} poses, largest deviation at ${at}`;
     const title = element("span", { className: "title" }, element("strong", { text: output.name, className: "text" }),
       ...(output.of === output.name ? [] : [element("span", { text: output.of, className: "muted text" })]), element("span", { text: where, className: "muted text" }),
       ...(found ? [element("span", { className: `badge ${found[0]}`, text: found[1] })] : []));

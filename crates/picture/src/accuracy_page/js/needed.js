@@ -2,16 +2,10 @@
 // What share of all clearances and tolerances a deviation needs at the chosen pose, where nothing is certified.
 (() => {
   if (!linkdyn.outputs.length) return;
-  const { choice, file, plain } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { choice, file, plain, svg, id } = linkdyn;
   const plot = id("needed_plot"), TALL = 190, LEFT = 46, RIGHT = 14, TOP = 10, BOTTOM = 34;
   const SHARES = [0, 0.25, 0.5, 0.75, 1];
-  const make = (tag, rest, text) => {
-    const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-    for (const [key, value] of Object.entries(rest)) made.setAttribute(key, value);
-    if (text !== undefined) made.textContent = text;
-    return made;
-  };
+  const make = (tag, { class: className, ...rest }, text) => svg(tag, { className, text, ...rest });
   // A share at a deviation: between two points its root goes straight, as beside a change point.
   const share = (points, by) => {
     let [from, to] = [[0, 0], points[0]];
@@ -63,8 +57,8 @@
       const by = file.both(low, high, output.unit);
       return by && `${100 * part} % of them: ${by}`;
     };
-    const told = [0.1, 0.5, 1].map(at).filter(Boolean).join("; ");
-    id("needed_note").textContent = `The share of all clearances and tolerances that a deviation needs; a dot is the worst found.${(output.limits || []).length ? " Red: limits." : ""} ${told}.`;
+    const shares = [0.1, 0.5, 1].map(at).filter(Boolean).join("; ");
+    id("needed_note").textContent = `The share of all clearances and tolerances that a deviation needs; a dot is the worst found.${(output.limits || []).length ? " Red: limits." : ""} ${shares}.`;
     plot.setAttribute("aria-label", id("needed_note").textContent);
     const width = Math.floor(plot.getBoundingClientRect().width);
     if (width > 120) draw(width);

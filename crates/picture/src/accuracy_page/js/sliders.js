@@ -2,8 +2,7 @@
 // What if: parameters moved by hand, to first order, and the worst along with them; with all at their worst, the worst found.
 (() => {
   if (!linkdyn.outputs.length) return;
-  const { choice, sources, element, file } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { choice, sources, element, file, id } = linkdyn;
   const STEPS = 100;
   const moving = sources.map(({ name, slider }, source) => ({ name: name.replace(/^parameters\./, ""), slider, source })).filter(({ slider }) => slider);
 
@@ -52,7 +51,7 @@
     id("what_level").textContent = corner === null ? "to first order" : "worst found";
     corners.forEach((button, side) => { button.disabled = !choice.worst(side); button.setAttribute("aria-pressed", side === corner); });
     const worst = file.both(by + choice.at("reach_low"), by + choice.at("reach_high"), unit);
-    id("moved").textContent = corner !== null ? `${linkdyn.plain(output.name)} = ${file.value(nominal + found, unit, 7)} (${file.signed(found, unit)}): the worst found, as drawn, with all else at its worst too; the parameters alone carry it by ${file.signed(by, unit)} to first order`
+    id("moved").textContent = corner !== null ? `${linkdyn.plain(output.name)} = ${file.value(nominal + found, unit, 7)} (${file.signed(found, unit)}): the worst found, as drawn, with all other sources at their worst; the parameters alone change it by ${file.signed(by, unit)} to first order`
       : !Number.isFinite(by) ? "No first order exists at this pose."
       : `${linkdyn.plain(output.name)} = ${file.value(nominal + by, unit, 7)} (${by === 0 ? "nominal" : `${file.signed(by, unit)} to first order`})${worst ? `, worst ${worst}` : ""}`;
     const colours = [`blue: ${linkdyn.reach}`, ...(Number.isFinite(choice.at("certified_low")) ? ["light: certified"] : []), ...(output.limits ? ["red: limits"] : [])];
@@ -68,7 +67,7 @@
   id("corners").hidden = !linkdyn.level || !moving.some(({ slider }) => slider.is_tolerance);
   id("reset").addEventListener("click", () => choice.reset());
   id("reset").hidden = !inputs.length;
-  if (!inputs.length) id("sliders").append(element("p", { className: "muted", text: "No length of this model is a parameter, so there is nothing to move." }));
+  if (!inputs.length) id("sliders").append(element("p", { className: "muted", text: "No length of this model is a parameter: there is nothing to move." }));
   choice.onChange(fill);
   fill();
 })();

@@ -1,9 +1,8 @@
 "use strict";
-// How far each source carries the output at the chosen pose, the greatest first.
+// How much each source changes the output at the chosen pose, the largest first.
 (() => {
   if (!linkdyn.outputs.length) return;
-  const { choice, sources, element, file } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { choice, sources, element, file, id } = linkdyn;
   const MOST = 12;
   let all = false;
 
@@ -11,7 +10,7 @@
     const { output, detail } = choice, holder = id("tornado");
     id("shares_at").textContent = linkdyn.plain(`at ${choice.where()}`);
     if (!detail.contributes) {
-      holder.replaceChildren(element("p", { className: "warn", text: "No first order exists here: at a change point accuracy goes with the root of the clearance. Choose a pose beside it." }));
+      holder.replaceChildren(element("p", { className: "warn", text: "No first order exists here: at a change point the deviation is proportional to the square root of the clearance. Choose a pose next to it." }));
       return;
     }
     const list = sources.map(({ name }, k) => { const [low, high] = detail.reach(k); return { name, low, high, variance: detail.variance(k) }; })
@@ -20,7 +19,7 @@
     const most = list.reduce((far, { low, high }) => Math.max(far, -low, high), 0);
     const share = (part, whole) => whole > 0 ? `${(100 * part / whole).toFixed(2)} %` : "–";
     const shown = all ? list : list.slice(0, MOST);
-    const heads = ["source", "", "carries it by", "worst case", "variance"].map((text, k) => element("span", { text, className: k > 1 ? "heading number" : "heading" }));
+    const heads = ["source", "", "deviation", "worst case", "variance"].map((text, k) => element("span", { text, className: k > 1 ? "heading number" : "heading" }));
     const rows = shown.flatMap(({ name, low, high, variance }) => {
       const bar = element("i"), place = (value) => 50 + 50 * value / most;
       bar.style.left = `${place(low)}%`;
@@ -28,8 +27,8 @@
       return [element("span", { className: "text" }, ...linkdyn.dotted(name)), element("span", { className: "bar", "aria-hidden": "true" }, bar),
         ...[file.both(low, high, output.unit), share(high - low, total), share(variance, spread)].map((text) => element("span", { text, className: "number" }))];
     });
-    const more = list.length > MOST ? [element("button", { type: "button", text: all ? "The greatest only" : `All ${list.length}`, on: { click: () => { all = !all; fill(); } } })] : [];
-    holder.replaceChildren(list.length ? element("div", { className: "shares" }, ...heads, ...rows) : element("p", { className: "muted", text: "Nothing carries the output here." }), ...more);
+    const more = list.length > MOST ? [element("button", { type: "button", text: all ? "The largest only" : `All ${list.length}`, on: { click: () => { all = !all; fill(); } } })] : [];
+    holder.replaceChildren(list.length ? element("div", { className: "shares" }, ...heads, ...rows) : element("p", { className: "muted", text: "No source changes the output here." }), ...more);
   };
   choice.onChange((what) => { if (what === "output" || what === "pose") fill(); });
   fill();

@@ -2,8 +2,7 @@
 // The configuration that carries the output farthest, its displacements enlarged, over the nominal one in grey.
 (() => {
   if (!linkdyn.outputs.length) return;
-  const { choice, element, file, drawing, shapes, mechanism, theme } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { given, choice, element, file, drawing, shapes, mechanism, theme, id } = linkdyn;
   const canvas = id("canvas"), stage = id("stage");
   // The largest displacement as a part of the mechanism's size, and the largest turn, where the factor is not chosen.
   const FAR = 0.06, TURN = 0.25, GHOST = -1;
@@ -27,7 +26,7 @@
     return a.map((value, k) => value + factor * (b[k] - value));
   };
 
-  const size = Math.hypot(shapes.box[1] - shapes.box[0], shapes.box[3] - shapes.box[2]);
+  const { box: all } = given.drawing, size = Math.hypot(all[1] - all[0], all[3] - all[2]);
   // A round factor that shows the displacements.
   const fitting = () => {
     if (!choice.detail.displaced[choice.side]) return 1;
@@ -57,34 +56,23 @@
       mechanism.bodies.forEach(({ points }, body) => { if (body > 0) points.forEach((_, k) => add(shapes.place([body, k], row))); });
       for (const { between, gear } of mechanism.joints) between.forEach((end, k) => add(shapes.place(end, row), gear ? Math.min(gear.radii[k], 1e6) : 0));
     }
-    if (!found) return shapes.box;
+    if (!found) return all;
     const least = 1e-6 + 0.15 * Math.max(found[1] - found[0], found[3] - found[2]);
     const widen = (low, high) => high - low < least ? [(low + high - least) / 2, (low + high + least) / 2] : [low, high];
     return [...widen(found[0], found[1]), ...widen(found[2], found[3])];
   };
 
   const draw = () => {
-    const pen = canvas.getContext("2d"), ratio = devicePixelRatio || 1;
-    canvas.width = Math.round(width * ratio); canvas.height = Math.round(height * ratio);
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const [left, right, bottom, top] = box(), px = Math.max(4.5, Math.min(width, height) * 0.026);
-    const room = 3.2 * px, scale = Math.min((width - 2 * room) / (right - left), (height - 2 * room) / (top - bottom));
-    const to = ([x, y]) => [width / 2 + (x - (left + right) / 2) * scale, height / 2 - (y - (bottom + top) / 2) * scale];
-    const colours = drawing.palette(), { detail } = choice;
+    const pen = drawing.prepare(canvas, width, height), bar = drawing.barOf(width, height), { detail } = choice, colours = drawing.palette();
     const grey = { ...colours, steel: colours.muted, force: colours.muted, ink: colours.muted, body: () => ({ fill: colours.line, line: colours.muted }) };
-    const bearings = mechanism.joints.map(({ clearance }) => clearance);
-    // Bearings belong to the enlarged configuration.
-    const enlarge = (by) => mechanism.joints.forEach((joint, k) => { joint.clearance = bearings[k] && by ? { ...bearings[k], radius: bearings[k].radius * by } : undefined; });
-    enlarge(0);
+    const view = { ...drawing.fitted(box(), width, height, 4.7 * bar), bar, show: {} };
     pen.globalAlpha = 0.7;
-    drawing.draw(pen, { to, scale, px, row: detail.frame, colours: grey, show: {} });
+    // Bearings belong to the enlarged configuration.
+    drawing.draw(pen, { ...view, row: detail.frame, colours: grey, gaps: 0 });
     if (detail.displaced[choice.side]) {
-      enlarge(factor);
       pen.globalAlpha = 0.85;
-      drawing.draw(pen, { to, scale, px, row: GHOST, colours, show: {} });
+      drawing.draw(pen, { ...view, row: GHOST, colours, gaps: factor });
     }
-    pen.globalAlpha = 1;
-    mechanism.joints.forEach((joint, k) => { joint.clearance = bearings[k]; });
   };
 
   id("worst").hidden = !linkdyn.level;
@@ -108,8 +96,8 @@
     id("fit").disabled = chosen === null;
     id("enlarging").hidden = !drawn || !detail.displaced[choice.side];
     id("worst_note").textContent = detail.displaced[choice.side]
-      ? `Grey: nominal. In colour: ${linkdyn.plain(output.name)} carried to its ${choice.side ? "highest" : "lowest"}, displacements × ${file.number(factor, 3)}. Gaps at pins are clearances and deviations of lengths, enlarged alike.${choice.isMoved && choice.corner === null ? " The sliders below move the value, not this drawing, until all are at their worst." : ""}`
-      : "Grey: nominal. To this side no worst configuration was found at this pose.";
+      ? `Grey: nominal. In colour: ${linkdyn.plain(output.name)} at its ${choice.side ? "largest" : "smallest"}, displacements × ${file.number(factor, 3)}. Gaps at pins are clearances and deviations of lengths, enlarged alike.${choice.isMoved && choice.corner === null ? " The sliders below move the value, not this drawing, until all are at their worst." : ""}`
+      : "Grey: nominal. No worst configuration was found on this side at this pose.";
     if (drawn) draw();
   };
 

@@ -1,8 +1,7 @@
 "use strict";
 // All plots: they share the part in view, the instant under the cursor and what is switched on.
 (() => {
-  const { Card, units, theme, models, columns, ran, times, runs } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { Card, units, theme, models, columns, ran, times, runs, id } = linkdyn;
   const [first, last] = [times[0], times[times.length - 1]];
 
   const cards = {

@@ -1,7 +1,7 @@
 "use strict";
 // The runs. Their rows come as one block of floats, run after run.
 (() => {
-  const { given, floats, element } = linkdyn;
+  const { given, floats } = linkdyn;
   const columns = given.columns.map(([name, unit]) => ({ name, unit }));
 
   // Each run with its times and values; the first that ran is what the others are compared with.
@@ -23,9 +23,5 @@
   }
   ran.forEach((run, k) => { run.row = rows[k]; });
 
-  // A colour of the style sheet as it is now.
-  const probe = document.body.appendChild(element("span", { hidden: "" }));
-  const colour = (name) => { probe.style.color = `var(--${name})`; return getComputedStyle(probe).color; };
-
-  Object.assign(linkdyn, { columns, runs, ran, reference, times, colour });
+  Object.assign(linkdyn, { columns, runs, ran, reference, times });
 })();

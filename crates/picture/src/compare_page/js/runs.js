@@ -1,7 +1,7 @@
 "use strict";
 // The runs: a colour and a dash for each, the reference grey; switches that take their curves off.
 (() => {
-  const { given, runs, ran, reference, element, colour, theme } = linkdyn;
+  const { given, runs, ran, reference, element, axes, colour, theme, id } = linkdyn;
   // On paper, which may be grey; on a screen dashes hide what is narrow.
   const DASHES = [[], [9, 4], [2, 2], [12, 3, 3, 3], []];
   const listeners = [];
@@ -11,17 +11,12 @@
   const dash = (run) => run === reference || !models.paper ? [] : DASHES[ran.indexOf(run) % DASHES.length];
   const width = (run) => run === reference ? 2.6 : 1.5;
 
-  const swatch = (run, wide = 24) => {
-    const make = (tag, rest) => { const made = document.createElementNS("http://www.w3.org/2000/svg", tag); for (const [key, value] of Object.entries(rest)) made.setAttribute(key, value); return made; };
-    const svg = make("svg", { width: wide, height: 10, class: "swatch", "aria-hidden": "true" });
-    svg.append(make("line", { x1: 0, x2: wide, y1: 5, y2: 5, "stroke-width": width(run) + 0.7, stroke: stroke(run), "stroke-dasharray": dash(run).join(" ") }));
-    return svg;
-  };
+  const swatch = (run, wide = 24) => axes.swatch(stroke(run), { wide, width: width(run) + 0.7, dash: dash(run), className: "swatch" });
 
   const models = { paper: false, stroke, dash, width, swatch, onChange: (listen) => listeners.push(listen) };
   linkdyn.models = models;
 
-  const box = document.getElementById("runs");
+  const box = id("runs");
   const fill = () => box.replaceChildren(...runs.map((run) => {
     const badge = run.sort === "good" ? [] : [element("span", { className: `badge ${run.sort}`, text: run.ended })];
     if (!run.rows) return element("span", { className: "run none", title: linkdyn.plain(run.facts) }, element("span", { text: run.name, className: "text" }), " ", ...badge);

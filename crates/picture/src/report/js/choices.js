@@ -1,38 +1,25 @@
 "use strict";
 // Which columns are worth a plot, and which come first: what the model asks for, then what drives, what carries most, how fast.
 (() => {
-  const { columns, byName, mechanism, summary } = linkdyn;
+  const { columns, byName, mechanism, summary, endsOf } = linkdyn;
   const MOST = 4;
   const shown = columns.filter((column) => column.wanted && column.name !== "time");
   const ending = (pattern, filter = () => true) => shown.filter((column) => pattern.test(column.name) && filter(column));
 
   // The largest size of a column, and of all columns of its unit: what is tiny beside them is round-off.
-  const sizes = new Map();
-  const size = (column) => {
-    if (!sizes.has(column)) {
-      let most = 0;
-      for (const value of column.values) if (Math.abs(value) > most && Number.isFinite(value)) most = Math.abs(value);
-      sizes.set(column, most);
-    }
-    return sizes.get(column);
-  };
+  const size = (column) => Math.max(0, ...endsOf(column).filter(Number.isFinite).map(Math.abs));
   const ofUnit = new Map();
   for (const column of columns) ofUnit.set(column.unit, Math.max(ofUnit.get(column.unit) || 0, size(column)));
   const nothing = (value, unit) => Math.abs(value) <= 1e-11 * (ofUnit.get(unit) || 0);
   const lives = (column) => size(column) > 0 && !nothing(size(column), column.unit);
-  const ends = (column) => {
-    let [low, high] = [Infinity, -Infinity];
-    for (const value of column.values) if (Number.isFinite(value)) { low = Math.min(low, value); high = Math.max(high, value); }
-    return [low, high];
-  };
   // Round-off about zero is large beside itself, so that it is held against all of its unit, too.
-  const varies = (column) => { const [low, high] = ends(column); return high - low > 1e-9 * size(column) && !nothing(high - low, column.unit) && high > low; };
+  const varies = (column) => { const [low, high] = endsOf(column); return high - low > 1e-9 * size(column) && !nothing(high - low, column.unit) && high > low; };
   // Whether two curves of one unit need an axis each: on a common one the travel of one would be a line to the eye. That holds for
   // places and angles, whose zero is arbitrary; sizes of forces and speeds are compared on one axis.
   const LEAST_SHARE = 1 / 8, PLACES = ["m", "rad"];
   const apart = (columns) => {
     if (columns.length !== 2 || columns[0].unit !== columns[1].unit || !PLACES.includes(columns[0].unit) || !columns.every(varies)) return false;
-    const [[a, b], [c, d]] = columns.map(ends);
+    const [[a, b], [c, d]] = columns.map(endsOf);
     return Math.min(b - a, d - c) < LEAST_SHARE * (Math.max(b, d) - Math.min(a, c));
   };
   const largest = (list, most = MOST) => [...list].sort((a, b) => size(b) - size(a)).slice(0, most);
@@ -62,19 +49,22 @@
   positions(points.slice(0, 1));
   // Beside a body that goes round and round those that swing would be flat lines.
   const angles = (first = true) => {
-    const found = ending(/\.angle$/, ofBody).filter(varies), round = found.filter((column) => { const [low, high] = ends(column); return high - low > 2.1 * Math.PI; });
+    const found = ending(/\.angle$/, ofBody).filter(varies), round = found.filter((column) => { const [low, high] = endsOf(column); return high - low > 2.1 * Math.PI; });
     const swing = found.filter((column) => !round.includes(column));
     add("Angles of bodies", largest(swing), first);
-    add("Angles of bodies that go round", largest(round), first && !swing.length);
+    add("Angles of bodies that rotate", largest(round), first && !swing.length);
   };
-  add("Driver efforts", ending(/^driver\..*\.effort$/), true);
+  add("Driving torques and forces", ending(/^driver\..*\.effort$/), true);
   add("Outputs", ending(/^output\./), true);
-  add("Lengths of springs and actuators", ending(/^force\..*\.length$/), true);
   add("Velocity ratio, mechanical advantage", ending(/^transmission\.(ratio|advantage)$/), true);
   add("Transmission angles", ending(/^transmission\..*\.angle$/), true);
-  if (free) angles();
+  // Angles describe best what moves by itself; where forces drive it, the forces in joints do.
+  const isDriven = mechanism.loads.length > 0;
+  if (free && !isDriven) angles();
   add("Largest joint forces", largest(ending(/^joint\..*\.f$/)), true);
+  if (free && isDriven) angles();
   add("Contact forces", ending(/^joint\..*\.normal_force$/), dynamics);
+  add("Lengths of springs and actuators", ending(/^force\..*\.length$/), true);
   positions(points.slice(1));
   points.forEach((name, k) => { const [x, y] = both(name); if (x && y && varies(x) && varies(y)) add(`Path of ${name}`, [y], k < 1, { across: x, equal: true }); });
   add("Angular velocities", largest(ending(/\.omega$/, ofBody).filter(varies)), true);
@@ -101,10 +91,10 @@
   const MOST_FIRST = 8;
   const first = presets.filter(({ first }) => first).slice(0, MOST_FIRST);
   // A value as text; round-off beside what others of its unit are is nothing.
-  const told = (column, row, digits) => {
+  const textOf = (column, row, digits) => {
     const value = column.values[row];
     return linkdyn.units.quantity(nothing(value, column.unit) ? 0 : value, column.unit, digits);
   };
-  linkdyn.told = told;
+  linkdyn.textOf = textOf;
   linkdyn.choices = { shown, presets, first, oneScale, largest, size, nothing, lives, varies, apart };
 })();

@@ -2,7 +2,7 @@
 // Joints with clearance, magnified: bearing, journal, the orbit of its centre, the force on it, and where the bearing wears. The
 // journal is drawn so that the radial clearance is a part of the bearing that can be seen.
 (() => {
-  const { mechanism, shapes, symbols, player, units, column, rows, element, drawing, summary, told } = linkdyn;
+  const { mechanism, shapes, player, units, column, rows, element, drawing, summary, textOf } = linkdyn;
   const SIZE = 250, BEARING = 88, GAP = 34, RIM = 9, WEAR = 18;
   const sums = summary.clearances || {};
   const insets = mechanism.joints
@@ -18,12 +18,9 @@
 
   for (const inset of insets) {
     inset.canvas = element("canvas", { role: "img", "aria-label": `Journal in the bearing of joint ${linkdyn.plain(inset.name)}` });
-    const ratio = window.devicePixelRatio || 1;
-    inset.canvas.width = inset.canvas.height = SIZE * ratio;
-    inset.pen = inset.canvas.getContext("2d");
-    inset.pen.scale(ratio, ratio);
+    inset.pen = drawing.prepare(inset.canvas, SIZE, SIZE);
     inset.value = element("span", { className: "number" });
-    if (inset.f) for (const value of inset.f.values) if (value > inset.most) inset.most = value;
+    if (inset.f) inset.most = linkdyn.endsOf(inset.f)[1] || 0;
     const total = (inset.wear || []).reduce((sum, part) => sum + part, 0);
     const lines = [["eccentricity", inset.value]];
     inset.force = element("span", { className: "number" });
@@ -87,12 +84,11 @@
     if (Number.isFinite(e) && size > 0 && most > 0) {
       // By the root, so that small forces are seen beside the blows.
       const long = 24 + 60 * Math.sqrt(size / most), from = at(row);
-      pen.strokeStyle = pen.fillStyle = colours.force;
-      symbols.arrow(pen, from, [from[0] + f[0] / size * long, from[1] - f[1] / size * long], 2.6, 11);
+      drawing.arrow(pen, from, [from[0] + f[0] / size * long, from[1] - f[1] / size * long], 7, colours.force);
     }
     if (Number.isFinite(e)) { pen.fillStyle = colours.ink; pen.beginPath(); pen.arc(...at(row), 3.2, 0, 7); pen.fill(); }
-    inset.value.textContent = inset.eccentricity ? told(inset.eccentricity, row, 4) : units.quantity(e, "m", 4);
-    if (inset.f) inset.force.textContent = told(inset.f, row, 4);
+    inset.value.textContent = inset.eccentricity ? textOf(inset.eccentricity, row, 4) : units.quantity(e, "m", 4);
+    if (inset.f) inset.force.textContent = textOf(inset.f, row, 4);
   };
 
   const draw = () => {

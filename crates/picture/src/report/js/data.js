@@ -19,28 +19,36 @@
     byName.set(sum.name, sum);
   }
 
+  // Rows of the smallest and the largest value of a column, and both values; -1 and no number where it has none.
+  const ends = new Map();
+  const endRows = (column) => {
+    if (!ends.has(column)) {
+      let [low, high] = [-1, -1];
+      const { values } = column;
+      for (let row = 0; row < values.length; row++) {
+        if (!Number.isFinite(values[row])) continue;
+        if (low < 0 || values[row] < values[low]) low = row;
+        if (high < 0 || values[row] > values[high]) high = row;
+      }
+      ends.set(column, [low, high]);
+    }
+    return ends.get(column);
+  };
+  const endsOf = (column) => endRows(column).map((row) => row < 0 ? NaN : column.values[row]);
+
   const time = byName.has("time") ? byName.get("time").values : new Float64Array(rows);
   // Contacts: one that takes no time is an impact, one without end goes on when the run ends.
   const ofContact = ({ type }) => ["contact", "stick", "slip", "following"].includes(type);
-  const eventWord = (event) => event.type === "contact" && event.duration === 0 ? "impact" : event.type.replaceAll("_", " ");
+  const eventWord = (event) => event.type === "contact" && event.duration === 0 ? "impact" : linkdyn.words(event.type);
   const eventEnd = (event) => event.end_time ?? (event.type === "contact" && rows ? Math.max(event.time, time[rows - 1]) : event.time);
 
   // Where axes are cut, as the engine's rule for all pictures has it: [low, high] by the name of a column.
   const uncut = [null, null];
   const cutOf = (column) => Object.hasOwn(given.cuts, column.name) ? given.cuts[column.name] : uncut;
 
-  // The part of an icon that the page defines.
-  const icon = (name) => {
-    const [svg, use] = ["svg", "use"].map((tag) => document.createElementNS("http://www.w3.org/2000/svg", tag));
-    svg.setAttribute("class", "icon");
-    use.setAttribute("href", `#i-${name}`);
-    svg.append(use);
-    return svg;
-  };
-
   Object.assign(linkdyn, {
-    icon, cutOf, ofContact, eventWord, eventEnd,
-    summary: given.summary, about: given.about, source: given.source, mechanism: given.mechanism, palette: given.palette, notes: given.notes,
+    cutOf, endRows, endsOf, ofContact, eventWord, eventEnd,
+    summary: given.summary, about: given.about, source: given.source, notes: given.notes,
     rows, columns, byName, width: given.width,
     column: (name) => byName.get(name),
     time,

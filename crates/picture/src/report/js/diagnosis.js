@@ -1,18 +1,16 @@
 "use strict";
 // How the run went: events, diagnostics, settings and work; what the quantities mean.
 (() => {
-  const { element, units, summary, columns, mechanism, column, tables } = linkdyn;
-  const { table, name, jump } = tables;
+  const { element, units, summary, columns, mechanism, column, tables, words } = linkdyn;
+  const { table, name, jump, row, scroll } = tables;
   const MANY = 12;
-  const words = (text) => String(text).replaceAll("_", " ");
 
   // Label and text, one beside the other.
   const pairs = (box, list) => {
     const known = list.filter(([, value]) => value !== undefined && value !== null && value !== "");
-    const body = element("tbody", {}, ...known.map(([label, value]) => element("tr", {}, element("th", { text: label, scope: "row" }),
-      value instanceof Node ? element("td", {}, value) : element("td", {}, name(value)))));
+    const body = element("tbody", {}, ...known.map(([label, value]) => row(element("th", { text: label, scope: "row" }), element("td", {}, value instanceof Node ? value : name(value)))));
     box.querySelector(".scroll")?.remove();
-    box.append(element("div", { className: "scroll" }, element("table", {}, body)));
+    box.append(scroll({}, body));
   };
   const list = (nodes) => { const box = element("div"); nodes.forEach((node) => box.append(element("p", {}, node))); return box; };
 
@@ -40,9 +38,9 @@
   const flat = (value, path) => value !== null && typeof value === "object" && !Array.isArray(value)
     ? Object.entries(value).flatMap(([key, inner]) => flat(inner, [...path, key])) : [[words(path.join(" ")), setting(value, path)]];
 
-  const happened = summary.events.length ? table("Events", { open: summary.events.length <= MANY, note: ` ${summary.events.length}` }) : null;
+  const happened = summary.events.length ? table("Events", { open: summary.events.length <= MANY, note: `${summary.events.length}` }) : null;
   const warned = summary.warnings.length, ok = summary.status === "completed" && !warned;
-  const diagnostics = table("How the run went", { open: !ok, note: ` ${words(summary.status)}${warned ? `, ${warned} warning${warned > 1 ? "s" : ""}` : ""}` });
+  const diagnostics = table("How the run went", { open: !ok, note: `${words(summary.status)}${warned ? `, ${warned} warning${warned > 1 ? "s" : ""}` : ""}` });
   const work = table("Settings and work", { open: false });
 
   const fill = () => {

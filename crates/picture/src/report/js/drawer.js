@@ -1,8 +1,7 @@
 "use strict";
-// The drawer: what is drawn, and how.
+// The drawer: what the drawing shows, and how.
 (() => {
-  const { element, player, stage, mechanism } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { element, player, stage, mechanism, id } = linkdyn;
   const { options } = stage;
   const box = (text, on, change) => {
     const input = element("input", { type: "checkbox", on: { change: () => { change(input.checked); stage.draw(); } } });
@@ -21,8 +20,8 @@
   id("follow").addEventListener("change", () => { options.follow = id("follow").value ? id("follow").value.split(",").map(Number) : null; if (options.follow) stage.draw(); else stage.whole(); });
   const order = [...points].sort((a, b) => options.traces.has(b[1]) - options.traces.has(a[1]));
   id("traces").append(...order.map(([text, key]) => box(text, options.traces.has(key), (on) => on ? options.traces.add(key) : options.traces.delete(key))));
-  id("closer").addEventListener("click", () => stage.zoom(1.25));
-  id("farther").addEventListener("click", () => stage.zoom(0.8));
+  id("zoom_in").addEventListener("click", () => stage.zoom(1.25));
+  id("zoom_out").addEventListener("click", () => stage.zoom(0.8));
   id("whole").addEventListener("click", stage.whole);
   id("loop").addEventListener("change", () => { player.repeat = id("loop").checked; });
 

@@ -1,21 +1,21 @@
 "use strict";
 // A plot on any pen, with a legend, as it stands in a document: ticks, curves, events and peaks from the plot on the screen.
 (() => {
-  const { units, drawing, curve, plotMarks } = linkdyn;
+  const { units, axes, dashes, tone, colour, plotMarks } = linkdyn;
   const LINE = 18;
 
   // Names of the curves in rows; returns their height.
   const legend = (pen, plot, left, width, draw) => {
     let [x, row] = [left, 0];
-    pen.font = "12px system-ui, sans-serif"; pen.textBaseline = "middle"; pen.textAlign = "left";
+    pen.font = axes.FONT; pen.textBaseline = "middle"; pen.textAlign = "left";
     plot.columns.forEach((column, k) => {
       const text = linkdyn.plain(column.name), wide = 34 + pen.measureText(text).width;
       if (x > left && x + wide > width - 8) { x = left; row++; }
       const y = 12 + row * LINE;
       if (draw) {
-        pen.strokeStyle = curve.stroke(k); pen.lineWidth = 2; pen.setLineDash(curve.dashes(k));
+        pen.strokeStyle = tone(k); pen.lineWidth = 2; pen.setLineDash(dashes(k));
         pen.beginPath(); pen.moveTo(x, y); pen.lineTo(x + 24, y); pen.stroke(); pen.setLineDash([]);
-        pen.fillStyle = drawing.colour("ink"); pen.fillText(text, x + 29, y);
+        pen.fillStyle = colour("ink"); pen.fillText(text, x + 29, y);
       }
       x += wide + 14;
     });
@@ -23,12 +23,12 @@
   };
 
   // Ticks and labels as uPlot has laid them out; `at` turns a value of a scale into a place.
-  const axes = (pen, plot, frame, at) => {
+  const drawAxes = (pen, plot, frame, at) => {
     const { u } = plot;
-    pen.font = "12px system-ui, sans-serif"; pen.strokeStyle = drawing.colour("grid"); pen.lineWidth = 1;
+    pen.font = axes.FONT; pen.strokeStyle = colour("grid"); pen.lineWidth = 1;
     u.axes.forEach((axis, k) => {
       const texts = axis._values || [], far = axis.side === 1;
-      pen.fillStyle = k === 0 ? drawing.colour("muted") : plot.ink(axis.scale);
+      pen.fillStyle = k === 0 ? colour("muted") : plot.ink(axis.scale);
       (axis._splits || []).forEach((value, number) => {
         if (value === null || !texts[number]) return;
         const place = at(value, axis.scale);
@@ -58,14 +58,14 @@
     const frame = { left: u.bbox.left / ratio, top: u.bbox.top / ratio + top, width: u.bbox.width / ratio, height: u.bbox.height / ratio };
     const at = (value, scale) => u.valToPos(value, scale) + (scale === "x" ? frame.left : frame.top);
     legend(pen, plot, 12, plot.width, true);
-    axes(pen, plot, frame, at);
+    drawAxes(pen, plot, frame, at);
     // Marks think in the pixels of a canvas.
     const u2 = { bbox: frame, ctx: pen, data: u.data, scales: u.scales, valToPos: at };
     plotMarks.events(plot, u2, 1);
     pen.save();
     pen.beginPath(); pen.rect(frame.left, frame.top, frame.width, frame.height); pen.clip();
     plot.columns.forEach((column, k) => {
-      pen.strokeStyle = curve.stroke(k); pen.lineWidth = 1.7; pen.lineJoin = "round"; pen.setLineDash(curve.dashes(k));
+      pen.strokeStyle = tone(k); pen.lineWidth = 1.7; pen.lineJoin = "round"; pen.setLineDash(dashes(k));
       pen.beginPath();
       let down = false;
       for (const row of plot.inView(u.data)) {
@@ -80,10 +80,7 @@
     });
     pen.setLineDash([]);
     pen.restore();
-    // The labels that are told of are those on the screen.
-    const { labels, peaks } = plot;
     plotMarks.words(plot, u2, 1);
-    Object.assign(plot, { labels, peaks });
   };
 
   // The rows in view as CSV, in the units that are shown.

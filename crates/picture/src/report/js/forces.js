@@ -1,7 +1,7 @@
 "use strict";
 // Force arrows: all to one scale that a legend tells, the longest cut with a double head, values at the heads.
 (() => {
-  const { mechanism, shapes, symbols, units, column, rows } = linkdyn;
+  const { mechanism, shapes, drawing, units, column, rows } = linkdyn;
   const pairs = (prefix, things) => things.map(({ name }) => ["fx", "fy"].map((q) => column(`${prefix}.${name}.${q}`)));
   const joints = pairs("joint", mechanism.joints), loads = pairs("force", mechanism.loads);
   const torques = mechanism.loads.map(({ name }) => column(`force.${name}.torque`));
@@ -20,24 +20,21 @@
   const sizes = () => size ??= { joints: typical(joints), loads: typical(loads) };
 
   const one = (state, from, [fx, fy], { unit, long, most, colour, name, into }) => {
-    const { pen, px, names } = state, f = Math.hypot(fx, fy), full = f / unit * long, shown = Math.min(full, most);
+    const { pen, bar, names } = state, f = Math.hypot(fx, fy), full = f / unit * long, shown = Math.min(full, most);
     if (!(f > 0) || !Number.isFinite(full) || shown < 2) return;
     const [dx, dy] = [fx / f * shown, -fy / f * shown];
     let [tail, head] = into ? [[from[0] - dx, from[1] - dy], from] : [from, [from[0] + dx, from[1] + dy]];
     // Where there is no room for the tail the arrow begins at the point.
     const { width, height } = state;
     if (into && (tail[0] < 0 || tail[0] > width || tail[1] < 0 || tail[1] > height)) [tail, head] = [from, [from[0] + dx, from[1] + dy]];
-    pen.strokeStyle = pen.fillStyle = colour;
-    symbols.arrow(pen, tail, head, 2.4, px * 1.1);
-    // Cut: a second head.
-    if (full > most) { const u = [dx / shown, dy / shown]; symbols.arrow(pen, tail, [head[0] - u[0] * px * 0.9, head[1] - u[1] * px * 0.9], 2.4, px * 1.1); }
+    drawing.arrow(pen, tail, head, bar, colour, full > most);
     const free = into && tail !== from ? tail : head;
     if (state.values++ < MOST_VALUES) names.push({ text: units.quantity(f, "N", 3), at: free, colour, beside: 2, key: `force ${name}` });
   };
 
   // All arrows at a row; the values go among the names.
   const draw = (state, options) => {
-    const { row, to, px, pen, width, height, colours } = state, unit = sizes();
+    const { row, to, bar, pen, width, height, colours } = state, unit = sizes();
     const long = Math.min(width, height) * 0.22 * 10 ** (options.arrowScale / 2), most = Math.max(long * 1.6, Math.min(width, height) * 0.3);
     state.values = 0;
     const legend = [];
@@ -57,9 +54,8 @@
         one(state, to(place), [fx.values[row], fy.values[row]], { unit: unit.loads, long: long * 0.6, most: most * 0.7, colour: colours.load, name: `l${k}`, into: true });
         if (!legend.some(({ colour }) => colour === colours.load)) legend.push({ unit: unit.loads, long: long * 0.6, colour: colours.load });
       } else if (torques[k] && torques[k].values[row] !== 0) {
-        pen.strokeStyle = pen.fillStyle = colours.load;
-        symbols.round(pen, to(place), px * 2.4, torques[k].values[row] > 0, 2.6);
-        state.names.push({ text: units.quantity(torques[k].values[row], "N*m", 3), at: to(place), colour: colours.load, beside: px * 2.6, key: `torque ${k}` });
+        drawing.round(pen, to(place), bar, torques[k].values[row] > 0, colours.load);
+        state.names.push({ text: units.quantity(torques[k].values[row], "N*m", 3), at: to(place), colour: colours.load, beside: bar * 3.8, key: `torque ${k}` });
       }
     });
     return legend;
@@ -73,8 +69,8 @@
       const about = unit * 50 / long, power = 10 ** Math.floor(Math.log10(about));
       const nice = [5, 2, 1].map((n) => n * power).find((n) => n <= about) || power, wide = nice / unit * long;
       const text = units.quantity(nice, "N", 3), taken = Math.max(wide, pen.measureText(text).width) + 14;
-      pen.strokeStyle = pen.fillStyle = colour;
-      symbols.arrow(pen, [x, y - 4], [x + wide, y - 4], 2.2, Math.min(10, wide));
+      drawing.arrow(pen, [x, y - 4], [x + wide, y - 4], 6, colour);
+      pen.fillStyle = colour;
       pen.fillText(text, x, y - 9);
       boxes.push({ x, y: y - 26, wide: taken - 8, tall: 26, text });
       x += taken;

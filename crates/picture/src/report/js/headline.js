@@ -1,25 +1,10 @@
 "use strict";
 // The numbers that a reader looks for first: effort, largest forces, strokes, speeds, contacts.
 (() => {
-  const { mechanism, summary, columns, time, rows, shapes, units, column, choices, plain } = linkdyn;
+  const { mechanism, summary, columns, time, rows, shapes, units, column, choices, plain, endRows, endsOf } = linkdyn;
   const bodies = new Set(mechanism.bodies.map(({ name }) => name));
   const MOST = 4;
 
-  // Rows of the smallest and the largest value.
-  const known = new Map();
-  const ends = (column) => {
-    if (!known.has(column)) {
-      let [low, high] = [-1, -1];
-      const { values } = column;
-      for (let k = 0; k < values.length; k++) {
-        if (!Number.isFinite(values[k])) continue;
-        if (low < 0 || values[k] < values[low]) low = k;
-        if (high < 0 || values[k] > values[high]) high = k;
-      }
-      known.set(column, [low, high]);
-    }
-    return known.get(column);
-  };
   // When a column has no bound, where it has none: it has no largest value then, whatever its rows show.
   const bounds = new Map();
   for (const { columns: names, times } of summary.unbounded || []) for (const name of names) if (!bounds.has(name)) bounds.set(name, Math.min(...times));
@@ -30,10 +15,10 @@
   };
   // The row of the value of largest size.
   const peak = (column) => {
-    const [low, high] = ends(column);
+    const [low, high] = endRows(column);
     return low >= 0 && Math.abs(column.values[low]) > Math.abs(column.values[high]) ? low : high;
   };
-  const range = (column) => { const [low, high] = ends(column); return low < 0 ? NaN : column.values[high] - column.values[low]; };
+  const range = (column) => { const [low, high] = endsOf(column); return high - low; };
 
   // Root of the mean square over time.
   const rms = ({ values }) => {
@@ -73,8 +58,9 @@
     for (const { name } of mechanism.drivers.slice(0, MOST)) {
       const effort = wanted(`driver.${name}.effort`);
       if (!effort) continue;
-      largest("Peak effort of", name, effort);
-      if (rows > 2) put("Root mean square effort of", name, rms(effort), effort.unit);
+      const kind = effort.unit === "N" ? "driving force" : "driving torque";
+      largest(`Peak ${kind} of`, name, effort);
+      if (rows > 2) put(`RMS ${kind} of`, name, rms(effort), effort.unit);
     }
     const forces = columns.filter(({ name, wanted }) => wanted && /^joint\..*\.f$/.test(name));
     // Those without bound would leave no room for those that have a largest value.
@@ -82,9 +68,9 @@
     for (const found of [others, bounded].flatMap((some) => choices.largest(some, MOST)).filter(choices.lives)) largest("Largest force in", found.name.slice(6, -2), found);
     for (const key of ["ratio", "advantage"]) {
       const found = wanted(`transmission.${key}`), word = key === "ratio" ? "Velocity ratio" : "Mechanical advantage";
-      if (found && ends(found)[0] >= 0) for (const [k, size] of ["smallest", "largest"].entries()) at(`${word}, ${size}`, "", found, ends(found)[k]);
+      if (found && endRows(found)[0] >= 0) for (const [k, size] of ["smallest", "largest"].entries()) at(`${word}, ${size}`, "", found, endRows(found)[k]);
     }
-    for (const found of columns.filter(({ name, wanted }) => wanted && /^transmission\..*\.angle$/.test(name)).slice(0, MOST)) at("Smallest transmission angle at", found.name.slice(13, -6), found, ends(found)[0]);
+    for (const found of columns.filter(({ name, wanted }) => wanted && /^transmission\..*\.angle$/.test(name)).slice(0, MOST)) at("Smallest transmission angle at", found.name.slice(13, -6), found, endRows(found)[0]);
     if (rows < 2) return;
     for (const joint of mechanism.joints.filter(({ axis }) => axis).slice(0, MOST)) put("Stroke of", joint.name, stroke(joint), "m");
     const angles = columns.filter(({ name, wanted }) => wanted && name.endsWith(".angle") && bodies.has(name.slice(0, -6)) && name.split(".").length === 2);
@@ -100,10 +86,10 @@
     for (const found of choices.largest(omegas, 2).filter(choices.lives)) at("Highest angular velocity of", found.name.slice(0, -6), found);
     for (const [joint, sums] of Object.entries(summary.clearances || {}).slice(0, MOST)) {
       const depth = wanted(`joint.${joint}.penetration`);
-      if (depth) at("Deepest penetration in", joint, depth, ends(depth)[1]);
+      if (depth) at("Deepest penetration in", joint, depth, endRows(depth)[1]);
       put("Energy lost in contacts of", joint, sums.energy_lost, "J");
     }
   };
   if (rows) collect();
-  linkdyn.headline = { list, ends, peak, unbounded };
+  linkdyn.headline = { list, unbounded };
 })();

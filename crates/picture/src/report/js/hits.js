@@ -1,7 +1,7 @@
 "use strict";
 // What the cursor is on, in the drawing and in plots: a tip with its name and values; a click plots them.
 (() => {
-  const { mechanism, shapes, stage, plots, player, units, element, column, rows, told, choices } = linkdyn;
+  const { mechanism, shapes, stage, plots, player, units, element, column, rows, textOf, choices } = linkdyn;
   const tip = document.getElementById("tip"), { canvas } = stage;
   const NEAR = 11;
 
@@ -27,7 +27,7 @@
     columns: list(`force.${name}`, ["length", "rate", "f", "fx", "fy", "power"]), plot: ["f", "length"], owner: `force.${name}`,
   }));
   const bodies = mechanism.bodies.map(({ name }, k) => ({ name, kind: "body", body: k, columns: k ? list(name, ["x", "y", "angle", "omega", "alpha"]) : [], owner: name, plot: ["angle", "omega"] }));
-  // A driver is told of with the joint that it turns or pushes.
+  // The tip of a joint shows the driver that turns or pushes it.
   mechanism.drivers.forEach((driver, k) => {
     if (driver.type === "length") return;
     const number = driver.type === "translation" ? driver.joint : driver.pin;
@@ -65,7 +65,7 @@
       if (a && b && away(place, stage.to(a), stage.to(b)) < NEAR) return thing;
     }
     for (let k = bodies.length - 1; k > 0; k--) {
-      const corners = shapes.outlines[k].map((number) => shapes.place([k, number], row));
+      const corners = shapes.hull(k, row);
       if (!corners.length || !corners.every(Boolean)) continue;
       const drawn = corners.map(stage.to);
       if (drawn.length > 2 && inside(place, drawn)) return bodies[k];
@@ -75,7 +75,7 @@
   };
 
   const lines = (thing) => {
-    const of = (owner, found) => found.map((column) => [column.name.slice(owner.length + 1), told(column, player.row)]);
+    const of = (owner, found) => found.map((column) => [column.name.slice(owner.length + 1), textOf(column, player.row)]);
     const all = of(thing.owner, thing.columns);
     if (thing.between) all.push(["length", units.quantity(length(thing.between, player.row), "m")]);
     if (thing.driver) all.push(...of(thing.driver.owner, thing.driver.columns).map(([name, value]) => [`${linkdyn.plain(thing.driver.name)} ${name}`, value]));
@@ -97,15 +97,14 @@
 
   // Drawing.
   let over = null;
-  const halo = (thing) => ({ pen, to, row, px, colours }) => {
+  const halo = (thing) => ({ pen, to, row, bar, colours }) => {
     const ring = (at, radius) => { pen.beginPath(); pen.arc(...to(at), radius, 0, 7); pen.stroke(); };
     pen.save();
     pen.strokeStyle = colours.accent; pen.lineWidth = 2.2;
     const at = thing.at && thing.at(row);
-    if (at) ring(at, px * 0.95);
-    const ends = thing.between ? thing.between : thing.body ? shapes.outlines[thing.body].map((number) => [thing.body, number]) : [];
-    const corners = ends.map((end) => shapes.place(end, row));
-    if (corners.length && corners.every(Boolean)) { linkdyn.symbols.path(pen, corners.map(to), true); pen.stroke(); }
+    if (at) ring(at, bar * 1.4);
+    const corners = thing.between ? thing.between.map((end) => shapes.place(end, row)) : thing.body ? shapes.hull(thing.body, row) : [];
+    if (corners.length && corners.every(Boolean)) { linkdyn.drawing.path(pen, corners.map(to), true); pen.stroke(); }
     pen.restore();
   };
   const set = (thing, event) => {
@@ -142,7 +141,7 @@
     const where = [["t", `${units.number(linkdyn.time[row], 5)} s`]];
     const { abscissa } = shown;
     if (abscissa.name !== "time") where.push([abscissa.label, units.quantity(abscissa.values[row], abscissa.unit)]);
-    if (best) show(best.name, "", [["value", told(best, row)], ...where], "", event.clientX, event.clientY); else hide();
+    if (best) show(best.name, "", [["value", textOf(best, row)], ...where], "", event.clientX, event.clientY); else hide();
   };
   plots.leave = hide;
   addEventListener("scroll", hide, { passive: true });

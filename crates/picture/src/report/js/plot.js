@@ -1,12 +1,10 @@
 "use strict";
 // One plot: curves of columns with at most two units, over what all plots share (time, a driver's value) or a column of its own.
 (() => {
-  const { player, units, element, icon, rows, drawing, plotMarks } = linkdyn;
+  const { player, units, element, icon, rows, axes, tone, plotMarks } = linkdyn;
   const HEIGHT = 210;
   const DASHES = [[], [8, 4], [2, 3], [12, 3, 2, 3], [5, 5], [1, 4]];
-  const TURNS = [1, 2, 5, 10, 15, 30, 45, 90, 180, 360, 720, 1800, 3600, 7200, 18000, 36000];
-  const { curves } = linkdyn.palette;
-  const stroke = (k, dark = linkdyn.theme.dark) => curves[k % curves.length][dark ? "dark" : "light"];
+  const dashes = (k) => DASHES[k % DASHES.length];
   const times = (values, factor) => Array.from(values, (value) => Number.isFinite(value) ? value * factor : null);
 
   // A curve over values that go to and fro, which uPlot's own paths are not made for.
@@ -23,18 +21,7 @@
     return { stroke: drawn, fill: null, clip: null, band: null, gaps: null, flags: 1 };
   };
 
-  // Ticks as short as can be; those of angles are parts of a turn.
-  const tick = (u, splits) => splits.map((value) => value === null ? null : units.number(value, 6));
   const tickSize = (u, values) => 26 + 6.4 * Math.max(0, ...(values || []).map((text) => (text || "").length));
-  const ticks = (label) => label === "°" ? { incrs: [...[0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5], ...TURNS] } : {};
-
-  // A little more than what is there; something to see where all is one value.
-  const padded = (low, high) => {
-    if (!Number.isFinite(low) || !Number.isFinite(high)) return [-1, 1];
-    const most = Math.max(Math.abs(low), Math.abs(high));
-    const room = high - low > 1e-9 * most ? (high - low) * 0.07 : most > 0 ? most * 0.1 : 1;
-    return [low - room, high + room];
-  };
 
   // The end of a long name tells more than its beginning.
   const short = (name) => { const text = linkdyn.plain(name); return text.length > 26 ? `…${text.slice(-25)}` : text; };
@@ -95,30 +82,30 @@
       const arrange = (values) => order.reversed ? values.reverse() : values;
       const xs = arrange(times(abscissa.values, across.factor));
       const data = [xs, ...this.columns.map((column) => arrange(times(column.values, units.of(column.unit).factor)))];
-      const [muted, grid] = [drawing.colour("muted"), drawing.colour("grid")];
-      const axis = { stroke: muted, grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 5 }, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
-      const whole = this.across ? padded(...this.plots.range(xs)) : this.plots.range(xs);
+      const whole = this.across ? axes.padded(...this.plots.range(xs)) : this.plots.range(xs);
       const scales = { x: { time: false, range: (u) => this.zoom || (this.equal ? this.even(u, data)[0] : whole) } };
-      const axes = [{ ...axis, ...ticks(across.label), values: tick, label: `${abscissa.label}${across.label === "–" ? "" : ` [${across.label}]`}`, labelSize: 16, size: 28 }];
+      const axis = [axes.axis(across.label, { label: `${abscissa.label}${across.label === "–" ? "" : ` [${across.label}]`}`, labelSize: 16, size: 28 })];
       this.scales.forEach((scale, k) => {
-        const own = columns.filter((column) => this.scale(column) === scale), label = units.of(own[0].unit).label;
-        scales[scale] = { range: (u) => this.equal ? this.even(u, data)[1] : padded(...this.span(own, data, columns)) };
-        axes.push({ ...axis, ...ticks(label), scale, side: k ? 1 : 3, stroke: this.ink(scale), values: tick, size: tickSize, label: `${this.axisName(own)}[${label}]`, labelSize: 18, grid: { ...axis.grid, show: k === 0 } });
+        const own = columns.filter((column) => this.scale(column) === scale), { label, factor } = units.of(own[0].unit);
+        const cut = (column) => this.plots.cut ? axes.scaled(linkdyn.cutOf(column), factor) : [null, null];
+        const curves = () => own.map((column) => ({ values: data[columns.indexOf(column) + 1], cut: cut(column) }));
+        scales[scale] = { range: (u) => this.equal ? this.even(u, data)[1] : axes.padded(...axes.span(curves(), () => this.inView(data))) };
+        const made = axes.axis(label, { scale, side: k ? 1 : 3, stroke: this.ink(scale), size: tickSize, label: `${this.axisName(own)}[${label}]`, labelSize: 18 });
+        axis.push({ ...made, grid: { ...made.grid, show: k === 0 } });
       });
       const series = [{}, ...this.columns.map((column, k) => ({
-        scale: this.scale(column), stroke: stroke(k), width: 1.7, dash: DASHES[k % DASHES.length], spanGaps: false,
+        scale: this.scale(column), stroke: tone(k), width: 1.7, dash: dashes(k), spanGaps: false,
         points: { show: rows === 1 || undefined }, ...(order.monotone ? {} : { paths: wandering, points: { show: false } }),
       }))];
       // uPlot draws later: a plot that was rebuilt meanwhile has nothing to say.
       const alive = (act) => (u) => { if (this.u === u) act(u); };
       this.u = new uPlot({
-        width: this.width, height: this.height, scales, axes, series, legend: { show: false }, pxAlign: 0,
-        padding: [8, this.scales.length > 1 ? 4 : 14, 0, 4],
-        cursor: { x: false, y: false, points: { show: false }, drag: { x: !this.across, y: false, setScale: false }, bind: { dblclick: () => () => { this.plots.setZoom(null); return null; } } },
-        hooks: { drawClear: [alive((u) => plotMarks.events(this, u))], draw: [alive((u) => plotMarks.words(this, u)), alive(() => this.mark())], setSelect: [alive((u) => this.select(u))] },
+        ...axes.options(!this.across, () => this.plots.setZoom(null)),
+        width: this.width, height: this.height, scales, axes: axis, series, padding: [8, this.scales.length > 1 ? 4 : 14, 0, 4],
+        hooks: { drawClear: [alive((u) => plotMarks.events(this, u))], draw: [alive((u) => { this.labels = plotMarks.words(this, u); }), alive(() => this.mark())], setSelect: [alive((u) => { const zoom = axes.dragged(u); if (zoom) this.plots.setZoom(zoom); })] },
       }, data, this.holder);
       this.line = element("div", { className: "now-line" });
-      this.dots = this.columns.map((column, k) => { const dot = element("div", { className: "now-dot" }); dot.style.background = stroke(k); return dot; });
+      this.dots = this.columns.map((column, k) => { const dot = element("div", { className: "now-dot" }); dot.style.background = tone(k); return dot; });
       this.u.over.append(this.line, ...this.dots);
       this.settle();
       this.listen();
@@ -149,7 +136,7 @@
     // Of two axes, one that has a single curve has its colour.
     ink(scale) {
       const own = this.columns.filter((column) => this.scale(column) === scale);
-      return this.scales.length > 1 && own.length === 1 ? stroke(this.columns.indexOf(own[0])) : drawing.colour("muted");
+      return this.scales.length > 1 && own.length === 1 ? tone(this.columns.indexOf(own[0])) : linkdyn.colour("muted");
     }
 
     // What an axis says before its unit: the name of its only curve where the curves alone do not tell.
@@ -158,44 +145,14 @@
       return this.apart ? `${short(own[0].name.split(".").at(-1))} ` : "";
     }
 
-    // Lowest and highest value to show on the axis of some curves: all in view, but for peaks that are cut off.
-    span(own, data, columns) {
-      let [least, most] = [Infinity, -Infinity];
-      columns.forEach((column, k) => {
-        if (!own.includes(column)) return;
-        const { factor } = units.of(column.unit), ends = this.plots.cut ? linkdyn.cutOf(column) : [null, null];
-        const [low, high] = [ends[0] === null ? -Infinity : ends[0] * factor, ends[1] === null ? Infinity : ends[1] * factor];
-        let [a, b, out, count, lowest, highest] = [Infinity, -Infinity, 0, 0, Infinity, -Infinity];
-        for (const row of this.inView(data)) {
-          const value = data[k + 1][row];
-          if (value === null) continue;
-          count++;
-          lowest = Math.min(lowest, value); highest = Math.max(highest, value);
-          if (value < low || value > high) out++;
-          a = Math.min(a, Math.max(value, low)); b = Math.max(b, Math.min(value, high));
-        }
-        // Who looks at the peak itself sees it.
-        if (out > 0.3 * count) [a, b] = [lowest, highest];
-        [least, most] = [Math.min(least, a), Math.max(most, b)];
-      });
-      return least > most ? [NaN, NaN] : [least, most];
-    }
-
     // Ranges in which a length is as long across as upright.
     even(u, data) {
-      const [[left, right], [low, high]] = [this.plots.range(data[0]), this.plots.range(data[1])].map((range) => padded(...range));
+      const [[left, right], [low, high]] = [this.plots.range(data[0]), this.plots.range(data[1])].map((range) => axes.padded(...range));
       const [wide, tall] = [u.over ? u.over.clientWidth : 0, u.over ? u.over.clientHeight : 0];
       if (!(wide > 0 && tall > 0)) return [[left, right], [low, high]];
       const scale = Math.max((right - left) / wide, (high - low) / tall);
       const around = (a, b, size) => [(a + b - scale * size) / 2, (a + b + scale * size) / 2];
       return [around(left, right, wide), around(low, high, tall)];
-    }
-
-    select(u) {
-      if (u.select.width < 4) return;
-      const [low, high] = [u.select.left, u.select.left + u.select.width].map((left) => u.posToVal(left, "x"));
-      u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-      this.plots.setZoom([low, high]);
     }
 
     // To the instant under the cursor.
@@ -211,7 +168,7 @@
     // The instant that is shown.
     mark() {
       const row = player.row;
-      this.values.forEach((node, k) => { node.textContent = linkdyn.told(this.columns[k], row); });
+      this.values.forEach((node, k) => { node.textContent = linkdyn.textOf(this.columns[k], row); });
       if (!this.u) return;
       const across = units.of(this.abscissa.unit).factor;
       const left = this.u.valToPos(this.abscissa.values[row] * across, "x");
@@ -228,21 +185,13 @@
     }
 
     head() {
-      const swatch = (k) => {
-        const made = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-        const line = document.createElementNS("http://www.w3.org/2000/svg", "line");
-        for (const [key, value] of Object.entries({ width: 24, height: 10 })) made.setAttribute(key, value);
-        for (const [key, value] of Object.entries({ x1: 0, x2: 24, y1: 5, y2: 5, "stroke-width": 2.4, stroke: stroke(k), "stroke-dasharray": DASHES[k % DASHES.length].join(" ") })) line.setAttribute(key, value);
-        made.append(line);
-        return made;
-      };
       this.values = [];
       const chips = this.columns.map((column, k) => {
         const value = element("span", { className: "number" });
         this.values.push(value);
         const drop = () => { this.columns.splice(k, 1); if (this.columns.length) this.build(); else this.plots.remove(this); };
-        return element("span", { className: "chip" }, swatch(k), element("span", { text: column.name, className: "text" }), value,
-          element("button", { type: "button", text: "×", "aria-label": `Take ${linkdyn.plain(column.name)} off`, on: { click: drop } }));
+        return element("span", { className: "chip" }, axes.swatch(tone(k), { dash: dashes(k) }), element("span", { text: column.name, className: "text" }), value,
+          element("button", { type: "button", text: "×", "aria-label": `Remove ${linkdyn.plain(column.name)}`, on: { click: drop } }));
       });
       const tools = element("div", { className: "tools" });
       const tool = (name, title, click) => tools.append(element("button", { type: "button", title, "aria-label": title, on: { click } }, icon(name)));
@@ -262,5 +211,5 @@
     }
   }
 
-  Object.assign(linkdyn, { Plot, curve: { stroke, dashes: (k) => DASHES[k % DASHES.length] } });
+  Object.assign(linkdyn, { Plot, dashes });
 })();

@@ -1,10 +1,9 @@
 "use strict";
 // All plots: what they are over, which part is in view, which of them take a column.
 (() => {
-  const { Plot, player, units, element, byName, mechanism, summary, time, rows, choices } = linkdyn;
+  const { Plot, player, units, element, byName, mechanism, summary, time, rows, choices, id } = linkdyn;
   const { shown, presets, first, oneScale } = choices;
   const MOST_COLUMNS = 6, MOST_MATCHES = 12;
-  const id = (name) => document.getElementById(name);
   const cards = id("cards"), names = id("plotbar").appendChild(element("datalist", { id: "names" }));
   const drivers = mechanism.drivers.map(({ name }) => byName.get(`driver.${name}.value`)).filter(Boolean);
   const clock = { name: "time", label: "time", unit: "s", values: time };
@@ -39,7 +38,7 @@
     nearest(value) {
       const { values } = plots.abscissa;
       if (plots.order.monotone && !plots.order.reversed && rows > 2) {
-        const k = plots.abscissa === clock ? player.rowAt(value) : lower(values, value);
+        const k = player.rowAt(value, values);
         return k + 1 < rows && Math.abs(values[k + 1] - value) < Math.abs(values[k] - value) ? k + 1 : k;
       }
       const [low, high] = plots.range(Array.from(values));
@@ -129,7 +128,6 @@
     mark() { plots.list.forEach((plot) => plot.mark()); },
   };
   const MOST = 4;
-  const lower = (values, value) => { let [a, b] = [0, rows - 1]; while (a < b) { const m = Math.ceil((a + b) / 2); if (values[m] <= value) a = m; else b = m - 1; } return a; };
 
   // Events on the abscissa that is chosen; their times are kept for the scrub bar and tables.
   const place = () => {

@@ -1,7 +1,7 @@
 "use strict";
 // The canvas: what part of the plane it shows, paths of points, forces, names.
 (() => {
-  const { mechanism, shapes, drawing, symbols, labels, forces, player, units, rows } = linkdyn;
+  const { given, mechanism, shapes, drawing, labels, forces, player, units, rows } = linkdyn;
   const canvas = document.getElementById("canvas");
   const pen = canvas.getContext("2d");
   const small = mechanism.bodies.length <= 14;
@@ -11,16 +11,16 @@
   let width = 0, height = 0, colours = null, wanted = false;
   const view = { x: 0, y: 0, scale: 1 };
 
-  // Size of a detail \[px\].
-  const detail = (width, height) => Math.min(Math.max(Math.min(width, height) * 0.026, 6.5), 13) * (mechanism.bodies.length > 60 ? 0.5 : 1);
+  // Half the width of a body [px].
+  const barOf = (width, height) => drawing.barOf(width, height) * (mechanism.bodies.length > 60 ? 0.5 : 1);
   // Room around the mechanism \[px\]: names, buttons above, the ruler below.
   const ROOM = { left: 46, right: 46, top: 56, bottom: 50 };
-  // What the ruler and the legends of arrows take, and in details how far the sign of the ground reaches below its pin.
-  const FOOT = 38, SUPPORT = 2.6;
+  // What the ruler and the legends of arrows take, and in bars how far the sign of the ground reaches below its pin.
+  const FOOT = 38, SUPPORT = 3.6;
   const whole = () => {
-    const [left, right, bottom, top] = shapes.box, part = Math.min(1, width / 420, height / 260);
+    const [left, right, bottom, top] = given.drawing.box, part = Math.min(1, width / 420, height / 260);
     const room = Object.fromEntries(Object.entries(ROOM).map(([side, size]) => [side, size * part]));
-    room.bottom = Math.max(room.bottom, FOOT + SUPPORT * detail(width, height));
+    room.bottom = Math.max(room.bottom, FOOT + SUPPORT * barOf(width, height));
     view.scale = Math.min(Math.max(width - room.left - room.right, 40) / (right - left), Math.max(height - room.top - room.bottom, 40) / (top - bottom));
     view.x = (left + right) / 2 + (room.right - room.left) / 2 / view.scale;
     view.y = (bottom + top) / 2 + (room.top - room.bottom) / 2 / view.scale;
@@ -28,7 +28,7 @@
 
   // The height that suits the mechanism at this width; the style sheet keeps it within the window.
   const fit = () => {
-    const [left, right, bottom, top] = shapes.box, wide = canvas.parentElement.clientWidth - ROOM.left - ROOM.right;
+    const [left, right, bottom, top] = given.drawing.box, wide = canvas.parentElement.clientWidth - ROOM.left - ROOM.right;
     const tall = Math.max(wide, 40) * (top - bottom) / (right - left) + ROOM.top + ROOM.bottom;
     canvas.parentElement.style.setProperty("--fit", `${Math.round(Math.min(Math.max(tall, 220), 900))}px`);
   };
@@ -72,7 +72,7 @@
     const long = nice / factor * scale;
     const text = units.length(nice / factor), tall = 26;
     pen.strokeStyle = pen.fillStyle = colours.muted; pen.lineWidth = 1.4;
-    symbols.path(pen, [[14, height - 15], [14, height - 9], [14 + long, height - 9], [14 + long, height - 15]]);
+    drawing.path(pen, [[14, height - 15], [14, height - 9], [14 + long, height - 9], [14 + long, height - 15]]);
     pen.stroke();
     pen.font = "12px system-ui, sans-serif"; pen.textBaseline = "bottom";
     pen.fillText(text, 20, height - 12);
@@ -88,8 +88,8 @@
   // Everything, on any pen; returns the boxes of all texts.
   const picture = (pen, size, to, scale, row, background, taken, colours) => {
     const { width, height } = size;
-    const px = detail(width, height);
-    const names = drawing.draw(pen, { to, scale, px, row, colours, show });
+    const bar = barOf(width, height);
+    const names = drawing.draw(pen, { to, scale, bar, row, colours, show });
     pen.strokeStyle = colours.accent; pen.lineWidth = 1.4;
     [...options.traces].forEach((key, k) => trace(pen, to, key, k));
     [...options.traces].forEach((key) => {
@@ -98,8 +98,8 @@
       pen.fillStyle = colours.accent; pen.beginPath(); pen.arc(...to(at), 4, 0, 7); pen.fill();
     });
     const list = names.filter(({ strong }) => !strong || show.bodies);
-    const scales = forces.draw({ pen, to, px, row, width, height, colours, names: list }, options);
-    if (halo) halo({ pen, to, row, px, colours });
+    const scales = forces.draw({ pen, to, bar, row, width, height, colours, names: list }, options);
+    if (halo) halo({ pen, to, row, bar, colours });
     const foot = rows ? [ruler(pen, size, scale, colours)] : [];
     foot.push(...forces.legend(pen, scales, foot.length ? foot[0].x + foot[0].wide + 18 : 14, height - 8));
     // Values and pins before bodies, of which the colours tell as much.
@@ -130,8 +130,7 @@
     [width, height] = [box.width, box.height];
     size = [width, height, ratio, paper].join(" ");
     if (size === before) return;
-    canvas.width = Math.round(width * ratio); canvas.height = Math.round(height * ratio);
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    drawing.prepare(canvas, width, height);
     whole();
     paint();
   };
@@ -178,7 +177,7 @@
     hasForces: forces.hasJoints,
     get labels() { return drawn; },
     get size() { return { width, height }; },
-    get detail() { return detail(width, height); },
+    get bar() { return barOf(width, height); },
     set halo(draws) { halo = draws; draw(); },
     to: (place) => to(place),
     // What is shown, on another pen.

@@ -1,15 +1,13 @@
 "use strict";
 // Playing: the scrub bar with the events of the run, buttons, speed.
 (() => {
-  const { element, plain, icon, player, units, summary, rows, time, mechanism, column } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { element, plain, player, units, summary, rows, time, mechanism, column, id } = linkdyn;
   const scrub = id("scrub");
   id("transport").hidden = rows < 2;
   scrub.max = Math.max(rows - 1, 0);
+  scrub.value = player.row;
   for (const name of ["first", "back", "play", "next", "last", "scrub"]) id(name).disabled = rows < 2;
-  scrub.addEventListener("input", () => { player.pause(); player.seek(Number(scrub.value)); });
-  id("play").addEventListener("click", player.toggle);
-  id("back").addEventListener("click", () => player.step(-1));
+    id("back").addEventListener("click", () => player.step(-1));
   id("next").addEventListener("click", () => player.step(1));
   id("first").addEventListener("click", () => player.step(-rows));
   id("last").addEventListener("click", () => player.step(rows));
@@ -18,15 +16,9 @@
   id("speed").append(...SPEEDS.map((speed) => element("option", { value: speed, text: `${units.number(rateOf(speed), 2)} ×` })), element("option", { value: "real", text: "real time" }));
   id("speed").value = "1";
   id("speed").addEventListener("change", () => { player.speed = id("speed").value === "real" ? "real" : Number(id("speed").value); });
-  player.onState(() => {
-    id("play").replaceChildren(icon(player.playing ? "pause" : "play"));
-    id("play").setAttribute("aria-pressed", player.playing);
-    id("play").setAttribute("aria-label", player.playing ? "Pause" : "Play");
-  });
   const drivers = mechanism.drivers.map(({ name }) => [name, column(`driver.${name}.value`)]).filter(([, found]) => found).slice(0, 2);
   const tell = () => {
     const { row } = player;
-    scrub.value = row;
     const parts = rows ? [`t = ${units.number(time[row], 5)} s`, ...drivers.map(([name, found]) => `${plain(name)} ${units.quantity(found.values[row], found.unit)}`)] : [];
     id("now").textContent = parts.join("  ");
     scrub.setAttribute("aria-valuetext", parts.join(", "));
@@ -35,8 +27,8 @@
   // Events on the scrub bar.
   if (rows > 1) for (const event of summary.events.slice(0, 300)) {
     const [from, to] = [event.time, linkdyn.eventEnd(event)].map((instant) => 100 * player.rowAt(instant) / (rows - 1));
-    const told = `${linkdyn.eventWord(event)} at ${units.number(event.time, 6)} s${event.joint === undefined ? "" : ` (joint ${plain(event.joint)})`}`;
-    const mark = element("button", { type: "button", className: to > from ? "span" : "", title: told, "aria-label": told, tabindex: "-1", on: { click: () => { player.pause(); player.seek(player.rowAt(event.time)); } } });
+    const words = `${linkdyn.eventWord(event)} at ${units.number(event.time, 6)} s${event.joint === undefined ? "" : ` (joint ${plain(event.joint)})`}`;
+    const mark = element("button", { type: "button", className: to > from ? "span" : "", title: words, "aria-label": words, tabindex: "-1", on: { click: () => { player.pause(); player.seek(player.rowAt(event.time)); } } });
     mark.style.left = `${from}%`;
     if (to > from) mark.style.width = `${to - from}%`;
     id("marks").append(mark);

@@ -1,8 +1,7 @@
 "use strict";
 // A card for each response: over one parameter a curve, over two a heat map, of samples a histogram and a cloud over an input.
 (() => {
-  const { inputs, responses, given, variants, choice, element, colour, plotting, Frame } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { inputs, responses, given, variants, choice, element, colour, plotting, Frame, id } = linkdyn;
   // More cards can't be looked at.
   const MOST = 12;
   const { widened, scales, cloud, axes, limits, ring, box, line } = plotting;

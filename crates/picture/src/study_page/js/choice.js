@@ -1,8 +1,7 @@
 "use strict";
 // What is chosen: ranges of variables, the variants within all of them, and one variant.
 (() => {
-  const { variables, variants, theme } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { variables, variants, theme, id } = linkdyn;
   const ranges = new Map(), painters = [], followers = [];
   let mask = null, count = 0, row = -1, wanted = false;
 

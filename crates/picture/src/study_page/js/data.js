@@ -1,7 +1,7 @@
 "use strict";
 // The variants: columns of inputs and responses, in the units in which they are shown.
 (() => {
-  const { given, floats, units, plain, element } = linkdyn;
+  const { given, floats, units, plain } = linkdyn;
   const { rows } = given;
   let next = 0;
   const take = (count) => floats.subarray(next, next += count);
@@ -32,19 +32,16 @@
   // Thousands apart.
   const count = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
-  // Motions: the numbers of the mechanism that vary, and instants with the frames of all bodies.
-  const motions = (given.played?.list || []).map(([number, instants]) => {
-    const shape = take(given.played.varying.length), wide = 1 + 3 * given.played.bodies;
-    return { number, instants, shape, frames: take(instants * wide), wide };
+  // Motions: what of the mechanism is another one, and instants with the frames of all bodies.
+  const motions = (given.played?.list || []).map(([number, instants, changes]) => {
+    const wide = 1 + 3 * given.played.bodies;
+    return { number, instants, changes: changes.map(([path, value]) => [given.played.paths[path], value]), frames: take(instants * wide), wide };
   });
   const rowOf = new Map(Array.from(numbers, (number, row) => [number, row]));
   motions.forEach((motion) => { motion.row = motion.number === null ? -1 : rowOf.get(motion.number) ?? -2; });
 
-  const probe = document.body.appendChild(element("span", { hidden: "" }));
-  const colour = (name) => { probe.style.color = `var(--${name})`; return getComputedStyle(probe).color; };
-
   Object.assign(linkdyn, {
-    inputs, responses, variables: [...inputs, ...responses], numbers, variants: rows, status, reason, count, motions, rowOf, colour,
-    sampled: given.variants > rows, mechanism: given.mechanism, palette: given.palette, rows: 0, column: () => undefined,
+    inputs, responses, variables: [...inputs, ...responses], numbers, variants: rows, status, reason, count, motions,
+    sampled: given.variants > rows, rows: 0, time: [], column: () => undefined,
   });
 })();

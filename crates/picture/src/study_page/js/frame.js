@@ -2,7 +2,7 @@
 // A canvas with scales: axes, clouds of points, boxes that are drawn with the pointer, and which point is near.
 (() => {
   const { choice, units, colour, variants } = linkdyn;
-  const FONT = "12px system-ui, sans-serif", NEAR = 14, MOVED = 4;
+  const { FONT } = linkdyn.axes, NEAR = 14, MOVED = 4;
   // Fewer points are discs, more are counted pixel by pixel.
   const DISCS = 2500, ON_PAPER = 300;
 

@@ -1,12 +1,9 @@
 "use strict";
 // The head, what came of the study, keys, paper.
 (() => {
-  const { given, inputs, responses, variants, element, plain, theme, units, choice, table, motion, count } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { given, inputs, responses, variants, element, units, choice, table, player, count, page, id } = linkdyn;
+  const { heads, row } = linkdyn.tables;
   const { summary } = given;
-  document.title = `${plain(given.model)} – study – linkdyn`;
-  id("name").textContent = plain(given.model);
-  id("asked").textContent = `study of ${count(given.variants)} variants (${plain(given.method)})`;
 
   // What was varied, and what became of the variants.
   const tile = (title, ...lines) => id("tiles").appendChild(element("div", { className: "tile" }, element("span", { className: "muted", text: title }), ...lines));
@@ -29,8 +26,8 @@
 
   // Each response in a row.
   const hasLimits = responses.some(({ limits }) => limits.some((limit) => limit !== null)), hasQuantiles = given.method !== "grid", none = responses.some(({ summary }) => summary.none);
-  const heads = ["response", "mean", "σ", "min", "max", ...(hasQuantiles ? ["0.135 %", "median", "99.865 %"] : []), ...(hasLimits ? ["limits", ...(hasQuantiles ? ["Cpk"] : []), "outside"] : []), ...(none ? ["no value"] : [])];
-  id("of_responses").append(element("thead", {}, element("tr", {}, ...heads.map((text, k) => element("th", { text, className: k ? "number" : "", scope: "col" })))));
+  const titles = ["response", "mean", "σ", "min", "max", ...(hasQuantiles ? ["0.135 %", "median", "99.865 %"] : []), ...(hasLimits ? ["limits", ...(hasQuantiles ? ["Cpk"] : []), "outside"] : []), ...(none ? ["no value"] : [])];
+  id("of_responses").append(heads(...titles.map((text, k) => k ? [text] : text)));
   const digits = 6;
   id("of_responses").append(element("tbody", {}, ...responses.map((own) => {
     const found = own.summary, bound = ([lower, upper]) => lower === null && upper === null ? "–" : lower === null ? `≤ ${own.text(upper)}` : upper === null ? `≥ ${own.text(lower)}` : `${units.number(lower, digits)} … ${own.text(upper)}`;
@@ -38,32 +35,20 @@
       ...(hasQuantiles ? [0, 1, 2].map((k) => own.si(found.quantiles?.[k] ?? NaN, digits)) : []),
       ...(hasLimits ? [bound(own.limits), ...(hasQuantiles ? [units.number(found.cpk, 4)] : []), own.limits.every((limit) => limit === null) ? "–" : count(found.below + found.above)] : []),
       ...(none ? [count(found.none)] : [])];
-    const row = element("tr", {}, element("th", { className: "text", scope: "row", text: own.name, title: own.facts.value }));
-    row.append(...cells.map((text, k) => element("td", { text, className: `number${heads[k + 1] === "Cpk" && found.cpk !== null && found.cpk < 1 || heads[k + 1] === "outside" && found.below + found.above ? " bad" : ""}` })));
-    return row;
+    return row(element("th", { className: "text", scope: "row", text: own.name, title: own.facts.value }), ...cells.map((text, k) => element("td", { text, className: `number${titles[k + 1] === "Cpk" && found.cpk !== null && found.cpk < 1 || titles[k + 1] === "outside" && found.below + found.above ? " bad" : ""}` })));
   })));
 
   const notes = [];
   if (linkdyn.sampled) notes.push(`${count(variants)} of ${count(given.variants)} variants are drawn and listed, spread evenly, with those of the smallest and largest responses; the numbers above and the histograms are of all. variants.csv has all.`);
-  notes.forEach((text) => id("notes").append(element("p", { text })));
-  id("notes").hidden = !notes.length;
-  const files = `linkdyn ${given.engine}. All numbers are in variants.csv and study.json beside this file, in SI units.`;
-  const words = responses.map((own) => `${own.name} = ${own.facts.value}`);
-  for (const text of [...words.slice(0, 12), files]) id("foot").append(element("p", { text, className: "text" }));
+  page.head({
+    kind: "study", name: given.model, line: `study of ${count(given.variants)} variants (${given.method})`, notes,
+    foot: responses.map((own) => `${own.name} = ${own.facts.value}`).slice(0, 12), files: "variants.csv and study.json beside this file",
+  });
   id("matrix").hidden = linkdyn.variables.length < 3 && linkdyn.isGrid;
   id("parallel").hidden = linkdyn.variables.length < 3;
 
-  id("theme").addEventListener("click", () => theme.toggle());
-  const keys = { Escape: () => choice.clear(), d: () => theme.toggle(), " ": () => motion.toggle() };
-  addEventListener("keydown", (event) => {
-    const { tagName } = event.target;
-    if (event.ctrlKey || event.metaKey || event.altKey || event.key === " " && tagName === "BUTTON" || event.key !== "Escape" && /^(INPUT|SELECT)$/.test(tagName) || !Object.hasOwn(keys, event.key)) return;
-    keys[event.key]();
-    event.preventDefault();
-  });
-  const paper = (on) => { linkdyn.plotting.paper = on; theme.paper = on; table.paper = on; motion.play(false); choice.paint(); };
-  addEventListener("beforeprint", () => paper(true));
-  addEventListener("afterprint", () => paper(false));
+  page.listen(["Esc", "clear the selection", ["Escape"], () => choice.clear()], ["Space", "play or pause", [" "], player.toggle]);
+  page.paper((on) => { linkdyn.plotting.paper = on; table.paper = on; player.pause(); choice.paint(); });
   choice.paint();
-  document.documentElement.dataset.ready = "true";
+  page.ready();
 })();

@@ -2,7 +2,7 @@
 // A response over two parameters: cells of a grid, a scale of colours, contours where limits lie.
 (() => {
   const { inputs, numbers, variants, given, choice, colour, plotting, units } = linkdyn;
-  // Dark to bright, told apart by all kinds of colour vision, and in grey print.
+  // Dark to bright: clear with all kinds of colour vision, and in grey print.
   const STOPS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
   const tone = (part) => {
     const at = Math.min(Math.max(part, 0), 1) * (STOPS.length - 1), k = Math.min(Math.floor(at), STOPS.length - 2);

@@ -1,8 +1,7 @@
 "use strict";
 // Variables against each other: clouds below, how they go together above, and which variables these are.
 (() => {
-  const { variables, inputs, responses, variants, choice, element, colour, plotting, units, Frame } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { variables, inputs, responses, variants, choice, element, colour, plotting, units, Frame, id } = linkdyn;
   const MOST = 6, GAP = 6, LEFT = 8, FOOT = 8;
   const { scales, widened, cloud, ring, box } = plotting;
   // At first as many of both as there is room for.

@@ -1,71 +1,45 @@
 "use strict";
 // The mechanism of the chosen variant in motion, or of the nearest one that can be played.
 (() => {
-  const { given, motions, mechanism, inputs, responses, variants, numbers, reason, rowOf, choice, element, units, colour, theme } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { given, motions, inputs, responses, variants, numbers, reason, choice, player, element, units, colour, theme, id } = linkdyn;
   const canvas = id("canvas"), stage = id("stage");
-  // A whole motion in a time in which one can see something [s].
-  const LASTS = 4;
-  let motion = null, instant = 0, playing = false, last = 0, clock = 0, shapes = null;
+  let motion = null;
 
-  const time = (k) => motion.frames[k * motion.wide];
-  // Numbers of the mechanism that vary are put where they belong.
-  const put = (path, value) => {
-    const keys = path.split("/").slice(1), final = keys.pop();
-    keys.reduce((part, key) => part[key], mechanism)[final] = value;
+  // What of the mechanism and its drawing is another one in a motion is put where it belongs, after that of the motion before.
+  const put = ([path, value]) => {
+    const keys = path.split("/").slice(1), final = keys.pop(), owner = keys.reduce((part, key) => part[key], given);
+    const before = [path, owner[final]];
+    owner[final] = value;
+    return before;
   };
+  let undo = [];
   const take = (wanted) => {
     motion = wanted;
-    given.played.varying.forEach((path, k) => put(path, motion.shape[k]));
+    undo.forEach(put);
+    undo = motion.changes.map(put);
+    const { mechanism } = given;
     const body = (name) => mechanism.bodies.findIndex((own) => own.name === name) - 1;
     linkdyn.rows = motion.instants;
+    linkdyn.time = Float64Array.from({ length: motion.instants }, (_, row) => motion.frames[row * motion.wide]);
     linkdyn.column = (name) => {
       const at = name.lastIndexOf("."), k = 1 + 3 * body(name.slice(0, at)) + ["x", "y", "angle"].indexOf(name.slice(at + 1));
       return { values: Float64Array.from({ length: motion.instants }, (_, row) => motion.frames[row * motion.wide + k]) };
     };
-    Object.assign(linkdyn.shapes, linkdyn.measureShapes());
-    ({ shapes } = linkdyn);
-    instant = Math.min(instant, motion.instants - 1);
+    linkdyn.shapes = linkdyn.measureShapes();
     id("scrub").max = motion.instants - 1;
+    player.seek(player.row);
   };
 
   const draw = () => {
-    const width = stage.clientWidth, height = stage.clientHeight, ratio = devicePixelRatio || 1;
+    const width = stage.clientWidth, height = stage.clientHeight;
     if (!motion || !width) return;
-    canvas.width = Math.round(width * ratio); canvas.height = Math.round(height * ratio);
-    const pen = canvas.getContext("2d");
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const [left, right, bottom, top] = shapes.box, px = Math.max(4.5, Math.min(width, height) * 0.026), room = 3.2 * px;
-    const scale = Math.min((width - 2 * room) / (right - left), (height - 2 * room) / (top - bottom));
-    const to = ([x, y]) => [width / 2 + (x - (left + right) / 2) * scale, height / 2 - (y - (bottom + top) / 2) * scale];
-    linkdyn.drawing.draw(pen, { to, scale, px, row: instant, colours: linkdyn.drawing.palette(), show: { drivers: true } });
+    const { drawing } = linkdyn, bar = drawing.barOf(width, height);
+    drawing.draw(drawing.prepare(canvas, width, height), { ...drawing.fitted(given.drawing.box, width, height, 4.7 * bar), bar, row: player.row, colours: drawing.palette(), show: { drivers: true } });
   };
   const show = () => {
     if (!motion) return;
-    id("scrub").value = instant;
-    id("now").textContent = `t = ${units.number(time(instant), 4)} s`;
+    id("now").textContent = `t = ${units.number(linkdyn.time[player.row], 4)} s`;
     draw();
-  };
-  const frame = () => {
-    if (!playing) return;
-    const now = performance.now(), span = time(motion.instants - 1) - time(0);
-    clock = (clock + Math.min(now - last, 100) / 1000 / LASTS) % 1;
-    last = now;
-    while (instant + 1 < motion.instants && time(instant + 1) - time(0) <= clock * span) instant++;
-    while (instant > 0 && time(instant) - time(0) > clock * span) instant--;
-    show();
-    requestAnimationFrame(frame);
-  };
-  const play = (on) => {
-    playing = on && Boolean(motion) && motion.instants > 1;
-    id("play").querySelector("use").setAttribute("href", playing ? "#i-pause" : "#i-play");
-    id("play").setAttribute("aria-label", playing ? "Pause" : "Play");
-    if (!playing) return;
-    const span = time(motion.instants - 1) - time(0);
-    clock = span > 0 ? (time(instant) - time(0)) / span : 0;
-    if (instant === motion.instants - 1) clock = 0;
-    last = performance.now();
-    requestAnimationFrame(frame);
   };
 
   // By the inputs, each against its range.
@@ -97,22 +71,20 @@
     facts(row);
     const other = row >= 0 && motion && motion.row !== row;
     id("motion_note").textContent = !motion ? given.not_played
-      : other ? motion.row < 0 ? "No variant can be played; this is the nominal mechanism." : `Variant ${numbers[row]} is not in this page as a motion; played is the nearest one that is, variant ${motion.number}.`
+      : other ? motion.row < 0 ? "No variant can be played; this is the nominal mechanism." : `Variant ${numbers[row]} has no motion in this page; the nearest variant that has one is played, variant ${motion.number}.`
       : known < given.variants ? `${linkdyn.count(known)} of ${linkdyn.count(given.variants)} variants can be played${motions.length > known ? ", and the nominal mechanism" : ""}.` : "";
     id("played").hidden = !other || !motion || motion.row < 0;
     if (motion) show();
-    if (row >= 0) play(true);
+    if (row >= 0) player.play();
   };
 
   id("stage").hidden = id("transport").hidden = !motions.length;
   id("nominal").hidden = !motions.some(({ number }) => number === null);
   id("nominal").addEventListener("click", () => choice.choose(-1));
   id("played").addEventListener("click", () => choice.choose(motion.row));
-  id("play").addEventListener("click", () => play(!playing));
-  id("scrub").addEventListener("input", () => { play(false); instant = Number(id("scrub").value); show(); });
+  player.onRow(show);
   new ResizeObserver(() => setTimeout(draw, 0)).observe(stage);
   choice.onChoose(follow);
   theme.onChange(draw);
   follow(-1);
-  linkdyn.motion = { get motion() { return motion; }, get playing() { return playing; }, get instant() { return instant; }, play, toggle: () => play(!playing), rowOf };
 })();

@@ -1,8 +1,7 @@
 "use strict";
 // Parallel coordinates: an axis for each variable, a line for each variant; a range is drawn along an axis.
 (() => {
-  const { variants, choice, colour, plotting, units, Frame } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { variants, choice, colour, plotting, units, Frame, id } = linkdyn;
   // More lines are one blot.
   const MOST = 1500;
   const step = Math.max(1, Math.ceil(variants / MOST)), rows = [];
@@ -63,6 +62,6 @@
     });
     return plots;
   };
-  id("parallel_note").textContent = step > 1 ? `${linkdyn.count(rows.length)} of ${linkdyn.count(variants)} variants have a line here, and of the selected ones up to ${MOST}. Drag along an axis to select, click the range to take it away.` : "Drag along an axis to select, click the range to take it away.";
+  id("parallel_note").textContent = step > 1 ? `${linkdyn.count(rows.length)} of ${linkdyn.count(variants)} variants have a line here, and of the selected ones up to ${MOST}. Drag along an axis to select, click the range to remove it.` : "Drag along an axis to select, click the range to remove it.";
   new Frame(id("parallel_plot"), draw);
 })();

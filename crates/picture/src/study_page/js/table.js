@@ -1,8 +1,7 @@
 "use strict";
 // The variants as a table: only the rows in view are in the page.
 (() => {
-  const { variables, variants, numbers, status, reason, units, choice, element } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { variables, variants, numbers, status, reason, units, choice, element, id } = linkdyn;
   const TALL = 27, SPARE = 6, ON_PAPER = 40;
   const scroller = id("rows"), body = id("rows_body");
   let order = Array.from(numbers, (_, row) => row), sorted = null, down = false, list = order, paper = false;

@@ -12,8 +12,15 @@
   linkdyn.theme = {
     get dark() { return !paper && (chosen ? chosen === "dark" : system.matches); },
     toggle: () => choose(linkdyn.theme.dark ? "light" : "dark"),
-    // While printing, and for pictures to take away.
+    // While printing, and for pictures that are exported.
     set paper(on) { paper = on; settle(); },
     onChange: (listen) => listeners.push(listen),
   };
+
+  // A colour of the style sheet as it is now, as a canvas needs it.
+  const probe = document.body.appendChild(linkdyn.element("span", { hidden: "" }));
+  linkdyn.colour = (name) => { probe.style.color = `var(--${name})`; return getComputedStyle(probe).color; };
+  // The colour of a curve by its number.
+  const { curves } = linkdyn.given.palette;
+  linkdyn.tone = (k) => curves[k % curves.length][linkdyn.theme.dark ? "dark" : "light"];
 })();

@@ -2,8 +2,8 @@
 // The one global: every file adds its part. What a page shows comes from two script elements, JSON and base64.
 const linkdyn = {};
 (() => {
-  const text = (id) => document.getElementById(id).textContent;
-  const given = JSON.parse(text("data"));
+  const id = (name) => document.getElementById(name);
+  const given = JSON.parse(id("data").textContent);
 
   // Browsers before 2025 have no decoder of their own for bytes.
   const decoded = (base64) => {
@@ -14,23 +14,27 @@ const linkdyn = {};
   };
   // Little-endian floats; an empty cell is NaN.
   const Floats = given.bytes === 8 ? Float64Array : Float32Array;
-  const floats = new Floats(decoded(text("values").trim()).buffer);
+  const floats = new Floats(decoded(id("values").textContent.trim()).buffer);
 
   // Control characters and those that change the direction of writing, spelt out.
   const plain = (any) => String(any).replace(/[\u0000-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g,
     (c) => "\\u{" + c.codePointAt(0).toString(16) + "}");
 
   // An element with text; names come into the page nowhere else.
-  const element = (tag, options = {}, ...children) => {
-    const made = document.createElement(tag);
-    const { text, className, on, ...rest } = options;
+  const filled = (made, { text, className, on, ...rest }, children) => {
     if (text !== undefined) made.textContent = plain(text);
-    if (className) made.className = className;
+    if (className) made.setAttribute("class", className);
     for (const [event, act] of Object.entries(on || {})) made.addEventListener(event, act);
     for (const [key, value] of Object.entries(rest)) made.setAttribute(key, value);
     made.append(...children);
     return made;
   };
+  const element = (tag, options = {}, ...children) => filled(document.createElement(tag), options, children);
+  const svg = (tag, options = {}, ...children) => filled(document.createElementNS("http://www.w3.org/2000/svg", tag), options, children);
+  // An icon that the page defines.
+  const icon = (name) => svg("svg", { className: "icon" }, svg("use", { href: `#i-${name}` }));
+  // A status in words.
+  const words = (text) => String(text).replaceAll("_", " ");
 
-  Object.assign(linkdyn, { given, floats, plain, element });
+  Object.assign(linkdyn, { given, floats, plain, element, svg, icon, id, words, palette: given.palette, mechanism: given.mechanism });
 })();

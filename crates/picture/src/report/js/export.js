@@ -1,8 +1,7 @@
 "use strict";
-// What can be taken away: plots and the pose as SVG or PNG, columns as CSV, a film, a link to an instant.
+// Export: plots and the drawing as SVG or PNG, columns as CSV, a film, a link to an instant.
 (() => {
-  const { element, plots, stage, player, theme, figure, SvgPen, drawing, time, rows, summary, shapes } = linkdyn;
-  const id = (name) => document.getElementById(name);
+  const { element, plots, stage, player, theme, figure, SvgPen, time, rows, summary, shapes, id } = linkdyn;
   const SHARP = 3;
   const plain = (text) => linkdyn.plain(text).replace(/[^\p{L}\p{N}._-]+/gu, "_").slice(0, 80) || "linkdyn";
 
@@ -49,7 +48,7 @@
     // A canvas has no ground of its own: the film gets one.
     const copy = element("canvas"), pen = copy.getContext("2d");
     [copy.width, copy.height] = [canvas.width, canvas.height];
-    const paint = () => { pen.fillStyle = drawing.colour("card"); pen.fillRect(0, 0, copy.width, copy.height); pen.drawImage(canvas, 0, 0); };
+    const paint = () => { pen.fillStyle = linkdyn.colour("card"); pen.fillRect(0, 0, copy.width, copy.height); pen.drawImage(canvas, 0, 0); };
     paint();
     const recorder = new MediaRecorder(copy.captureStream(60), { mimeType: type, videoBitsPerSecond: 6e6 });
     recorder.addEventListener("dataavailable", (event) => parts.push(event.data));
@@ -78,8 +77,8 @@
     ["PNG", async (plot) => give(`${plotName(plot)}.png`, await plotPng(plot))],
     ["CSV", (plot) => text(`${plotName(plot)}.csv`, "text/csv", figure.csv(plot))]];
   plots.tools = (plot) => {
-    const menu = element("select", { className: "save", title: "Take this plot away", "aria-label": "Take this plot away" },
-      element("option", { text: "save", value: "" }), ...OF_PLOT.map(([name], k) => element("option", { text: name, value: k })));
+    const menu = element("select", { className: "save", title: "Export this plot", "aria-label": "Export this plot" },
+      element("option", { text: "export", value: "" }), ...OF_PLOT.map(([name], k) => element("option", { text: name, value: k })));
     menu.addEventListener("change", () => { if (menu.value !== "" && plot.u) OF_PLOT[Number(menu.value)][1](plot); menu.value = ""; });
     return menu;
   };
@@ -89,30 +88,28 @@
   const hash = () => `#t=${Number(time[player.row].toPrecision(8))}`;
   const go = () => {
     const found = /^#t=([-+.\deE]+)$/.exec(location.hash), instant = found ? Number(found[1]) : NaN;
-    if (!Number.isFinite(instant) || !rows) return;
-    const row = player.rowAt(instant);
-    player.seek(row + 1 < rows && Math.abs(time[row + 1] - instant) < Math.abs(time[row] - instant) ? row + 1 : row);
+    if (Number.isFinite(instant) && rows) player.seek(player.nearest(instant));
   };
   const link = (button) => {
     location.hash = hash();
     const said = (word) => { const before = "Link to this instant"; button.textContent = word; setTimeout(() => { button.textContent = before; }, 1500); };
-    if (navigator.clipboard) navigator.clipboard.writeText(location.href).then(() => said("Copied"), () => said("In the address bar")); else said("In the address bar");
+    if (navigator.clipboard) navigator.clipboard.writeText(location.href).then(() => said("Copied"), () => said("See the address bar")); else said("See the address bar");
   };
 
   // Of the drawing.
-  const button = (word, title, act) => { const made = element("button", { type: "button", text: word, title, on: { click: () => act(made) } }); id("take").append(made); };
+  const button = (word, title, act) => { const made = element("button", { type: "button", text: word, title, on: { click: () => act(made) } }); id("export").append(made); };
   if (rows && shapes.known) {
-    button("Pose SVG", "The mechanism as it is shown, as lines", () => text(`${poseName()}.svg`, "image/svg+xml", svg(stage.size, poseDraws)));
-    button("Pose PNG", "The mechanism as it is shown, as pixels", async () => give(`${poseName()}.png`, await png(stage.size, poseDraws)));
-    if (rows > 1 && kind()) button("Film", "The whole run as it plays, at the speed that is chosen", (made) => film(made));
+    button("Drawing SVG", "The mechanism as it is shown, as lines", () => text(`${poseName()}.svg`, "image/svg+xml", svg(stage.size, poseDraws)));
+    button("Drawing PNG", "The mechanism as it is shown, as pixels", async () => give(`${poseName()}.png`, await png(stage.size, poseDraws)));
+    if (rows > 1 && kind()) button("Film", "The whole run, at the chosen speed", (made) => film(made));
   }
   if (rows) {
     const all = () => { const plot = { abscissa: { name: "time", unit: "s", values: time }, zoom: null, columns: [...new Set(plots.list.flatMap(({ columns, across }) => across ? [across, ...columns] : columns))] }; return figure.csv(plot); };
     button("CSV", "The columns of all plots", () => text(`${title}.csv`, "text/csv", all()));
     button("Link to this instant", "A link that opens this page at the instant shown", link);
   }
-  id("take").hidden = !rows;
+  id("export").hidden = !rows;
   addEventListener("hashchange", go);
   go();
-  linkdyn.take = { plotSvg, plotPng, poseSvg: () => svg(stage.size, poseDraws), posePng: () => png(stage.size, poseDraws), csv: figure.csv, film, hash };
+  linkdyn.exports = { plotSvg, plotPng, poseSvg: () => svg(stage.size, poseDraws), posePng: () => png(stage.size, poseDraws), csv: figure.csv, film, hash };
 })();
