@@ -12,7 +12,7 @@ const TAIL: f64 = 0.05;
 const FAR: f64 = 6.0;
 /// What is kept beyond the bulk, in heights of it.
 const KEPT: f64 = 1.0;
-/// A bulk this small beside the largest value is round-off, not a curve.
+/// A bulk this small compared with the largest value is round-off, not a curve.
 const ROUND_OFF: f64 = 1e-9;
 /// Values below which nothing can be said of percentiles.
 const FEW: usize = 20;
@@ -52,7 +52,7 @@ impl Cut {
         (cut != Cut::default()).then_some(cut)
     }
 
-    /// The range of an axis that leaves out the peaks of some curves; none where all is to be shown.
+    /// The range of an axis that leaves out the peaks of some curves; `None` if everything is shown.
     ///
     /// What one curve cuts off another one may show, so each has its own cut, and the axis the widest.
     pub fn range(curves: impl Iterator<Item = Vec<f64>>) -> Option<[f64; 2]> {

@@ -85,7 +85,7 @@ pub struct Diagnosis {
     pub findings: Vec<Finding>,
 }
 
-/// The page of a model in a position of all bodies, the ground first. What can't be drawn is told without a drawing.
+/// The page of a model in a position of all bodies, the ground first. If it can't be drawn the page has no drawing.
 pub fn page(shape: Shape, pose: &[Pose], diagnosis: &Diagnosis) -> String {
     let drawing = match Mechanism::new(shape, Poses::of(&[pose.to_vec()])) {
         Ok(mechanism) => {
@@ -100,7 +100,7 @@ pub fn page(shape: Shape, pose: &[Pose], diagnosis: &Diagnosis) -> String {
     whole_page(diagnosis, &drawing)
 }
 
-/// The page of what can't be drawn: lines of the text with their numbers, one of them marked, beside what is said of it.
+/// The page of what can't be drawn: lines of the text with their numbers, one of them marked, and the findings.
 pub fn page_of_text(
     diagnosis: &Diagnosis,
     lines: &[(usize, String)],
@@ -115,7 +115,7 @@ pub fn page_of_text(
     whole_page(diagnosis, &(text + "</pre>\n"))
 }
 
-/// What is said of a model beside its drawing.
+/// A drawing with the findings.
 fn whole_page(diagnosis: &Diagnosis, drawing: &str) -> String {
     let mut main =
         format!("<div class=\"beside\">\n<div class=\"card\">\n{drawing}</div>\n<div>\n");

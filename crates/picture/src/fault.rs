@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::style::DISTINCT;
 
-/// Most curves of a panel: more can't be told apart.
+/// Most curves of a panel: more can't be distinguished.
 pub const MOST_CURVES: usize = DISTINCT;
 /// Most pixels of a picture.
 pub const MOST_PIXELS: u64 = 100_000_000;

@@ -1,6 +1,6 @@
 //! Pictures → GIF or APNG: one palette for all frames, of each frame only the rectangle that changed.
 //!
-//! A GIF tells time in hundredths of a second, and programs slow frames of less than two of them down: 50 frames per second at most.
+//! A GIF counts time in hundredths of a second, and programs slow frames of less than two of them down: 50 frames per second at most.
 //! An animated PNG (W3C PNG, third edition, 2025) has no such limit.
 
 use std::collections::HashMap;
@@ -69,7 +69,7 @@ impl<'f> Film<'f> {
     /// A film into `file`, which runs on and on; `samples` are pictures with all of its colours.
     ///
     /// # Errors
-    /// When the pictures are larger than the format can tell.
+    /// When the pictures are larger than the format allows.
     pub fn new(
         file: &'f mut Vec<u8>,
         format: Format,

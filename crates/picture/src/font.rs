@@ -65,7 +65,7 @@ pub fn fit(text: &str, size: f64, room: f64) -> String {
     format!("{}…", kept.trim_end())
 }
 
-/// Draws the outlines of a text into `pen`, in font units with y upwards; `place` is told where each glyph begins.
+/// Draws the outlines of a text into `pen`, in font units with y upwards; `place` gets where each glyph begins.
 pub fn outline<P: OutlineBuilder>(text: &str, pen: &mut P, mut place: impl FnMut(&mut P, f64)) {
     let Some(face) = face() else { return };
     let mut at = 0.0;

@@ -3,7 +3,7 @@
 //! A figure is laid out once, in points (1/72 inch), as a [`Scene`] of lines, areas and texts; [`svg`] and [`raster`] write
 //! the same scene, so that both look alike. Texts are measured with the font that the raster is drawn with (Liberation Sans,
 //! whose widths are those of Arial and Helvetica), which makes the layout the same on every machine. What a mechanism is made
-//! of is told once, as a [`Shape`]: figures, films and the report draw the same.
+//! of is described once, as a [`Shape`], and drawn by the same signs in figures, films and pages.
 //!
 //! | file        | does                                                            |
 //! | ----------- | --------------------------------------------------------------- |

@@ -1,7 +1,7 @@
 //! All colours: of figures and films, and of the page, which has a light and a dark theme. Figures are on white paper: light.
 //!
 //! Curves and bodies have the colours of Okabe and Ito (2008), made for all kinds of colour vision. The three light ones are
-//! darkened, so that a thin line has a contrast of 3 to 1 at least, as WCAG 2.2 (1.4.11) asks for.
+//! darkened, so that a thin line has a contrast of 3 to 1 at least, as WCAG 2.2 (1.4.11) requires.
 
 use std::fmt::Write as _;
 

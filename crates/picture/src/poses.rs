@@ -18,7 +18,7 @@ type Coordinate = (Vec<f64>, Option<Vec<f64>>);
 /// What lies farther is no place [m, rad]: tables of others may hold any number, and pictures can't.
 const FARTHEST: f64 = 1e60;
 
-/// Poses of single bodies that tell how far a mechanism reaches, at most.
+/// Most poses of single bodies from which the extent of a mechanism is computed.
 const MOST_POSES: usize = 200_000;
 
 fn is_place(value: &f64) -> bool {
@@ -35,7 +35,7 @@ pub struct Poses {
 }
 
 impl Shape {
-    /// Poses of all bodies, the ground first, in so many rows of a table of results or fewer, evenly chosen; none where columns are
+    /// Poses of all bodies, the ground first, in so many rows of a table of results or fewer, evenly chosen; empty if columns are
     /// missing.
     pub(crate) fn poses_in(&self, table: &Trajectory, most: usize) -> Vec<Vec<Pose>> {
         let places = table

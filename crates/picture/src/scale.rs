@@ -44,7 +44,7 @@ impl Scale {
         }
     }
 
-    /// Place of a value \[pt\]; none where there is none (not finite, or not positive on a logarithmic axis).
+    /// Place of a value \[pt\]; `None` if it has none (not finite, or not positive on a logarithmic axis).
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = self.start + self.part(value) * (self.end - self.start);
         place.is_finite().then_some(place)
@@ -223,7 +223,7 @@ fn round_step(raw: f64, turns: bool) -> (f64, u8) {
     (shift(step, magnitude), parts)
 }
 
-/// A range that holds all values, with `margin` of its width on both sides; none where there is no value.
+/// A range that holds all values, with `margin` of its width on both sides; `None` if there is no value.
 pub fn range(values: impl Iterator<Item = f64>, log: bool, margin: f64) -> Option<[f64; 2]> {
     let usable = values.filter(|value| value.is_finite() && (!log || *value > 0.0));
     let usable = usable.map(|value| value.clamp(-LARGEST, LARGEST));

@@ -1,4 +1,4 @@
-//! Curves that can be told apart: by colour, and in grey print by dashes, and beyond those by markers.
+//! Curves that can be distinguished: by colour, and in grey print by dashes, and beyond those by markers.
 
 use super::palette;
 use super::scene::{Ink, Pen};

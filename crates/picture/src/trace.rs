@@ -1,4 +1,4 @@
-//! Values → polylines: interrupted at gaps, clipped to the panel, without places that nobody could tell apart.
+//! Values → polylines: interrupted at gaps, clipped to the panel, without places that look the same.
 
 use super::scale::Scale;
 use super::scene::Place;

@@ -75,7 +75,7 @@ fn is_exceeded(page: &AccuracyPage, output: &Output, pose: &Pose) -> bool {
     })
 }
 
-/// Whether the value of the first driver tells the poses apart.
+/// Whether each pose has another value of the first driver.
 fn is_along_driver(output: &Output) -> bool {
     let value = |pose: &Pose| pose.drivers.first().copied().unwrap_or(f64::NAN);
     let values: Vec<f64> = output.poses.iter().map(value).collect();

@@ -21,7 +21,7 @@ pub struct AccuracyPage<'a> {
     pub about: Option<&'a str>,
     /// What the numbers assume of pins and parameters.
     pub assumed: String,
-    /// What was asked for: 0 the first order, 1 with the worst found, 2 with the certified bound.
+    /// The level: 0 the first order, 1 with the worst found, 2 with the certified bound.
     pub level: u8,
     /// Unit of lengths.
     pub length: Unit,

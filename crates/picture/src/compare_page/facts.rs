@@ -1,4 +1,4 @@
-//! What the page says of a run beside its curves.
+//! What the page says of a run besides its curves.
 
 use serde_json::{Value, json};
 
@@ -7,10 +7,10 @@ use crate::cut::Cut;
 use linkdyn_output::comparison::{Comparison, Difference};
 use linkdyn_output::{Column, Event, EventKind, TIME};
 
-/// Marks of contacts that are nearer than this part of the run can't be told apart.
+/// Marks of contacts that are nearer than this part of the run look like one.
 const APART: f64 = 1.0 / 2000.0;
 
-/// `[kind, from, to]` of what happened; contacts that can't be told apart at any width of a window are one mark.
+/// `[kind, from, to]` of what happened; contacts that look like one at any width of a window are one mark.
 pub fn events(run: &ComparedRun) -> Value {
     let times = run.table.and_then(|table| table.values(TIME));
     let last = times.and_then(|times| times.last().copied()).unwrap_or(0.0);

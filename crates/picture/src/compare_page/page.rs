@@ -46,7 +46,7 @@ pub struct ComparePage<'a> {
 pub struct ComparedRun<'a> {
     /// What it is called.
     pub name: &'a str,
-    /// How it ended; none where it was not run.
+    /// How it ended; `None` if it was not run.
     pub status: Option<Status>,
     /// How it ended, in a word.
     pub ended: String,

@@ -8,13 +8,13 @@ use crate::palette;
 use crate::scene::{Ink, POINTS_PER_MM, Pen, Scene};
 use crate::style::style;
 
-/// Height of the first panel below and beside a mechanism, and of each further one, as parts of the width.
+/// Height of the first panel below and next to a mechanism, and of each further one, as parts of the width.
 const FIRST: [f64; 2] = [0.47, 0.58];
 const FURTHER: f64 = 0.26;
 /// Letters, as a part of the width, and their least and greatest size \[pt\].
 const LETTERS: f64 = 0.027;
 const SIZES: [f64; 2] = [6.0, 12.0];
-/// Width of the chart beside a mechanism, as a part of the whole.
+/// Width of the chart next to a mechanism, as a part of the whole.
 const BESIDE: f64 = 0.55;
 /// Width of curves, as a part of the font size.
 const CURVE: f64 = 0.16;
@@ -150,7 +150,7 @@ fn value_at(time: &[f64], values: &[f64], at: f64) -> Option<f64> {
     } else {
         1.0
     };
-    // A row beside a gap has its value.
+    // A row at a gap has its value.
     let value = match part {
         0.0 => from,
         1.0 => to,

@@ -26,7 +26,7 @@ impl Chart {
         Ok(self.draw_scaled()?.0)
     }
 
-    /// Draws the chart, and tells its scales.
+    /// Draws the chart, and returns its scales.
     pub(super) fn draw_scaled(&self) -> Result<(Scene, Scales), Fault> {
         self.check()?;
         // Values of peaks are worth a row, but not the figure.

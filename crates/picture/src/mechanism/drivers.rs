@@ -1,4 +1,4 @@
-//! What drivers stand at in a pose.
+//! The values of drivers in a pose.
 
 use super::places::{place, turned};
 use crate::poses::Pose;

@@ -10,7 +10,7 @@ use crate::symbols;
 
 /// Radius of the round arrow of a driver, in bars: a coil has room in it.
 const DRIVER: f64 = 2.7;
-/// How far the arrow of a driven slide lies beside its block, and half its length, in bars.
+/// Distance of the arrow of a driven slide from its block, and half its length, in bars.
 const BESIDE: [f64; 2] = [2.9, 3.0];
 /// Half the length of a bar at the end of a stroke, in bars.
 const STOP: f64 = 2.4;
@@ -110,7 +110,7 @@ impl Parts<'_> {
         }
     }
 
-    /// An arrow around the pin to the left, or beside the guide along its axis: the way in which the driver's value counts.
+    /// An arrow around the pin to the left, or parallel to the guide: the positive direction of the driver's value.
     pub fn add_drivers(&mut self) {
         let (shape, edge) = (&self.mechanism.shape, Edge::of(ACCENT));
         for driver in &shape.drivers {

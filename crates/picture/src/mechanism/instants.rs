@@ -1,4 +1,4 @@
-//! What drivers stand at in a pose, and the instants of several poses that tell most about the motion.
+//! The values of drivers in a pose, and the instants whose poses show most of the motion.
 
 use super::drivers::driver_value;
 use super::moving::Mechanism;
@@ -10,7 +10,7 @@ use crate::words;
 const MOST_ROWS: usize = 2000;
 /// Halvings of an interval of outputs: below the round-off of a time.
 const HALVINGS: usize = 50;
-/// Drivers whose values are told.
+/// Most drivers whose values are shown.
 const MOST_TOLD: usize = 2;
 /// Poses that differ less, as a part of the mechanism's size and in radians, are the same.
 const SAME: f64 = 1e-3;
@@ -91,7 +91,7 @@ impl Mechanism {
             .collect()
     }
 
-    /// Outputs with poses: their time, and their value as `value` tells it.
+    /// Outputs with poses: their time, and their value by `value`.
     fn rows_with(&self, value: impl Fn(&Poses, usize) -> Option<f64>) -> Vec<Option<[f64; 2]>> {
         let count = self.poses.time.len();
         let step = count.div_ceil(MOST_ROWS).max(1);
@@ -118,7 +118,7 @@ impl Mechanism {
         Stretch { rows: known }
     }
 
-    /// The longest stretch without a gap in which a driver goes one way; none where it stands still.
+    /// The longest stretch without a gap in which a driver moves in one direction; `None` if it does not move.
     fn stretch_of(&self, driver: DriverKind) -> Option<(DriverKind, Stretch)> {
         let value =
             |poses: &Poses, row: usize| Some(driver_value(&self.shape, &poses.row(row)?, driver));

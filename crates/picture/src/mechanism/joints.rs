@@ -14,7 +14,7 @@ use crate::sign::{
 use crate::symbols::{self, Rack};
 use std::f64::consts::TAU;
 
-/// Radius of a pin, and of the ring that tells of a clearance, in bars.
+/// Radius of a pin, and of the ring that marks a clearance, in bars.
 const RADIUS: f64 = 0.62;
 const RING: f64 = 1.2;
 /// Radius of a ring of rubber around a pin.
@@ -108,7 +108,7 @@ impl Parts<'_> {
         }
         self.on(Layer::Pins, second, second.0, disc);
         if let Some(clearance) = clearance {
-            // The room of the journal's centre where it can be seen, else a ring that tells of it.
+            // The clearance circle if it is large enough to be seen, otherwise a ring that marks it.
             let edge = Edge {
                 dash: &[2.4, 1.8],
                 ..Edge::of(FORCE)

@@ -15,7 +15,7 @@ use crate::words;
 pub const TORQUE: f64 = 3.6;
 /// Length of the arrow of the largest force, in bars.
 const LARGEST: f64 = 11.0;
-/// A force this small beside the largest is none.
+/// A force this small compared with the largest is not drawn.
 const NONE: f64 = 1e-9;
 
 /// Draws a sign from one place to another; a short arrow has a small head.

@@ -6,17 +6,17 @@
 //! | ---------- | ------------------------------------------------------------ |
 //! | `moving`   | a mechanism with its motion: extent, paths, slides           |
 //! | `places`   | points and directions in global axes                         |
-//! | `drivers`  | what drivers stand at                                        |
-//! | `instants` | when poses tell most                                         |
+//! | `drivers`  | values of drivers                                            |
+//! | `instants` | the instants whose poses show most of the motion             |
 //! | `parts`    | a sign, what it stands at, what it turns with                |
 //! | `joints`   | how bodies and each kind of joint are drawn                  |
 //! | `stops`    | how ends of ways and one-way clutches are drawn              |
 //! | `forces`   | how springs, dampers, cables, actuators, drivers are drawn   |
 //! | `cylinder` | which joints are cylinders, and how long they are            |
 //! | `loads`    | draws the loads of one pose                                  |
-//! | `values`   | numbers beside arrows                                        |
+//! | `values`   | numbers at arrows                                            |
 //! | `view`     | the part of a page that shows it                             |
-//! | `pages`    | one pose with its time, several poses over or beside others  |
+//! | `pages`    | one pose with its time, several poses overlaid or in a strip |
 //! | `plain`    | one pose without words                                       |
 //! | `drawing`  | all parts for a page, which moves them                       |
 

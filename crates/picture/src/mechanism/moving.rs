@@ -227,7 +227,7 @@ impl Mechanism {
         }
     }
 
-    /// A guide on a moving body reaches to the body's point: else it would float beside the body.
+    /// A guide on a moving body reaches to the body's point: otherwise it would not touch the body.
     fn reach_guides(&mut self) {
         for (joint, slide) in self.shape.joints.iter().zip(&mut self.slides) {
             if joint.between[0].0 != 0 {

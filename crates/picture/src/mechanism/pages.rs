@@ -197,7 +197,7 @@ impl Mechanism {
         }
     }
 
-    /// Everything else at a time; nothing in a gap. A pose that stands behind others is faded, and tells no actions.
+    /// Everything else at a time; nothing in a gap. A pose behind others is faded, without coils, drivers and loads.
     pub(super) fn draw_pose(&self, scene: &mut Scene, view: &View, time: f64, faded: Option<f64>) {
         let Some(pose) = self.poses.at(time) else {
             return;
@@ -256,7 +256,7 @@ fn columns(count: usize, height: f64) -> usize {
     }
 }
 
-/// `t = 0.52 s`, as many digits as the span asks for.
+/// `t = 0.52 s`, with digits for the span.
 fn time_words(time: f64, [first, last]: [f64; 2]) -> String {
     let decimals = if last > first {
         (2.0 - (last - first).log10().floor()).clamp(0.0, 12.0) as usize

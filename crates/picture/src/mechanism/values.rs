@@ -1,4 +1,4 @@
-//! Numbers beside arrows.
+//! Numbers at arrows.
 
 use super::view::View;
 use crate::font;
@@ -73,7 +73,7 @@ impl<'v> Values<'v> {
     }
 }
 
-/// Letters that can be read beside a picture of that width \[pt\].
+/// Size of letters for a picture of that width \[pt\].
 pub fn font_size(width: f64) -> f64 {
     (0.032 * width).clamp(7.0, 14.0)
 }

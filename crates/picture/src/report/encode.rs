@@ -13,7 +13,7 @@ const FEW_ROWS: usize = 500;
 /// How much a column is worth when room is short; the first is the last to go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Worth {
-    /// Time, driver values, what `analysis.columns` asks for by name.
+    /// Time, driver values, columns that `analysis.columns` names.
     Asked,
     /// Poses: the animation.
     Pose,

@@ -45,7 +45,7 @@ pub const SCRIPTS: &[&str] = &[
 pub const LIMIT: usize = 5_000_000;
 /// Room kept for what the page says about what it leaves out.
 const MARGIN: usize = 20_000;
-/// Instants that tell how far a mechanism reaches, at most.
+/// Most instants from which the extent of a mechanism is computed.
 const MOST_ROWS: usize = 400;
 /// Shapes and drawings of more text than this are left out.
 const LARGEST_SHAPE: usize = 3_500_000;

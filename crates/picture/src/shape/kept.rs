@@ -54,7 +54,7 @@ impl Shape {
         serde_json::to_value(self).unwrap_or_default()
     }
 
-    /// What a page needs beside its drawing: corners are in the drawing alone.
+    /// The shape for a page that also has a drawing: only the drawing has the corners.
     pub(crate) fn for_page(&self) -> Value {
         let mut shape = self.clone();
         for joint in &mut shape.joints {
@@ -104,7 +104,7 @@ impl Shape {
         serde_json::to_value(drawing).unwrap_or_default()
     }
 
-    /// The shape that a summary keeps, whoever has written it; none where it keeps none.
+    /// The shape of a summary, of any version; `None` if the summary has no shape.
     ///
     /// # Errors
     /// When what it keeps is no shape, or one that is larger than a picture can show.

@@ -55,7 +55,7 @@ impl Load {
         self.values = kept.iter().map(|&row| value(row)).collect();
     }
 
-    /// Value at a time, straight between instants; none where no value is known.
+    /// Value at a time, linear between instants; `None` if no value is known.
     pub fn at_time(&self, time: f64) -> Option<[f64; 2]> {
         let after = self.times.partition_point(|&t| t <= time);
         let [Some(low), Some(high)] = [after.checked_sub(1), Some(after)]

@@ -271,7 +271,7 @@ fn pitch_circles(
 }
 
 impl PitchCircles {
-    /// Pitch circles of wheels at that distance \[m\]; none where they would have no end.
+    /// Pitch circles of wheels at that distance \[m\]; `None` if they are unbounded.
     pub fn of_wheels(ratio: f64, distance: f64, carrier: usize) -> Option<Self> {
         let second = (distance / (1.0 - ratio)).abs();
         let radii = [second * ratio.abs(), second];
@@ -299,7 +299,7 @@ fn clearance_of(clearance: &model::Clearance) -> Option<Clearance> {
     })
 }
 
-/// The driver; none where its joint is not there.
+/// The driver; `None` if its joint does not exist.
 fn driver_of(
     numbers: &Numbers,
     shape: &Shape,

@@ -21,7 +21,7 @@ pub struct Shape {
     pub loads: Vec<Load>,
     /// Prescribed motions.
     pub drivers: Vec<Driver>,
-    /// Points whose paths are asked for.
+    /// Points whose paths are drawn.
     pub points: Vec<PointId>,
 }
 
@@ -179,7 +179,7 @@ pub struct Spring {
     /// A damper without stiffness.
     #[serde(default)]
     pub damper: bool,
-    /// A spring with a damper beside it.
+    /// A spring with a parallel damper.
     #[serde(default, skip_serializing_if = "is_not")]
     pub damped: bool,
     /// An actuator: a cylinder with its rod.

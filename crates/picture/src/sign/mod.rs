@@ -1,7 +1,7 @@
 //! Signs: what is drawn of a part of a mechanism, in axes of its own, x along and y to the left.
 //!
 //! A corner lies so far along the sign, so many metres and so many bars from where the sign begins. A bar is half the width of a drawn
-//! body: what is told in bars keeps its size on the page, what is told in metres grows with the scale. With the origin o of the sign,
+//! body: lengths in bars keep their size on the page, lengths in metres grow with the scale. With the origin o of the sign,
 //! its direction u and its length ℓ on the page, the scale s and the size b of a bar, a corner is at
 //!
 //! ```text

@@ -28,7 +28,7 @@ pub const SCRIPTS: &[&str] = &[
     include_str!("js/motion.js"),
     include_str!("js/head.js"),
 ];
-/// Reasons that are told by name.
+/// Most reasons that have a name of their own.
 const MOST_REASONS: usize = 100;
 /// Shapes and drawings of more text than this are left out.
 const LARGEST_SHAPE: usize = 300_000;

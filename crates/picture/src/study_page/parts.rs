@@ -75,7 +75,7 @@ pub enum Played {
 /// The motion of a variant.
 #[derive(Debug)]
 pub struct Motion {
-    /// Its number; none of the nominal mechanism.
+    /// Its number; `None` for the nominal mechanism.
     pub variant: Option<u64>,
     /// The mechanism.
     pub shape: Shape,
@@ -117,5 +117,5 @@ pub(super) fn most_instants(motions: usize, bodies: usize) -> usize {
     (ROOM_MOTIONS / (motions.max(1) * instant_bytes(bodies))).clamp(2, MOST_INSTANTS)
 }
 
-/// More instants than this can't be told from a continuous motion.
+/// More instants than this look like a continuous motion.
 const MOST_INSTANTS: usize = 121;

@@ -39,7 +39,7 @@ impl Values {
         self.0.text()
     }
 
-    /// Column after column; tells the middle of each variable.
+    /// Column after column; returns the middle of each variable.
     pub fn rows(&mut self, page: &StudyPage, reasons: &[&str]) -> Vec<f64> {
         for row in &page.rows {
             self.0.push((row.number / PART) as f64);

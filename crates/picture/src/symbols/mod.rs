@@ -1,4 +1,4 @@
-//! Small signs: markers of curves, and the parts of a mechanism. Sizes are told in bars, half the width of a drawn body.
+//! Small signs: markers of curves, and the parts of a mechanism. Sizes are in bars; a bar is half the width of a drawn body.
 
 mod arrow;
 mod belt;

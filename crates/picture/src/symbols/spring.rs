@@ -7,7 +7,7 @@ use crate::sign::{Corner, Edge, Outline, Sign, Stroke, along, bars, line};
 const STROKES: usize = 14;
 /// Half the width of a straight spring or damper, in bars.
 const WIDTH: f64 = 1.2;
-/// How far a spring and the damper beside it lie from the line between their ends, in bars.
+/// Distance of a spring and its parallel damper from the line between their ends, in bars.
 const ASIDE: f64 = 1.6;
 /// Where the strokes of a spring begin and end, as parts of its length.
 const COILS: [f64; 2] = [0.15, 0.85];

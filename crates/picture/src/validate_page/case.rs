@@ -1,4 +1,4 @@
-//! The page of a case: verdict in words, figures, what differs and why, what agrees, and what the case tells.
+//! The page of a case: verdict in words, figures, what differs and why, what agrees, and what the case reports.
 
 use std::fmt::Write as _;
 

@@ -1,6 +1,6 @@
 //! Pages of a validation: one per case, with reference and result side by side, and one over all cases.
 //!
-//! The pages have no scripts: text, tables that fold, figures that stand in the file. Verdicts are told in words, since
+//! The pages have no scripts: text, tables that fold, figures that stand in the file. Verdicts are in words, since
 //! "finding" alone reads like a fault.
 //!
 //! | file    | does                                             |

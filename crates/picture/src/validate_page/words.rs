@@ -16,7 +16,7 @@ pub const MEANINGS: &str = "A finding is a difference to the reference that is e
 the source leaves something out, its numbers do not converge, or a law does not give what is said of it. A fault is an error of linkdyn.";
 
 impl Judged {
-    /// The word beside a comparison.
+    /// The word of a comparison.
     pub fn word(self) -> &'static str {
         match self {
             Judged::Agrees => "agrees",

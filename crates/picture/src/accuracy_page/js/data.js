@@ -5,7 +5,7 @@
   const { sources, drivers, bodies } = given;
   const COLUMNS = ["time", ...drivers.map((_, k) => k), "nominal", "first_low", "first_high", "found_low", "found_high",
     "certified_low", "certified_high", "mean", "sigma", "pressed", "within", "cp", "cpk"];
-  // What the output may reach: the worst found, or the first order where no more was asked for.
+  // What the output may reach: the worst found, or the first order if only that was requested.
   const reach = given.level ? { name: "worst found", column: "found" } : { name: "first order", column: "first" };
   let next = 0;
   const take = (count) => floats.subarray(next, next += count);
@@ -26,13 +26,13 @@
         sensitivity: (source) => by[4 * source], reach: (source) => [by[4 * source + 1], by[4 * source + 2]], variance: (source) => by[4 * source + 3],
       };
     });
-    // Poses on an axis: the driver's value where it tells them apart.
+    // Poses on an axis: the driver's value if each pose has another one.
     const [driver] = drivers;
     const x = output.along_driver ? { label: driver[0], unit: driver[1], values: band[0] } : { label: "time", unit: "s", values: band.time };
     return { ...output, band, details, x, alone: output.poses === 1 };
   });
 
-  // The drawing asks for columns of the poses of bodies.
+  // The drawing needs columns of the poses of bodies.
   const names = new Map();
   given.mechanism.bodies.slice(1).forEach(({ name }, body) => ["x", "y", "angle"].forEach((quantity, k) =>
     names.set(`${name}.${quantity}`, { values: Float64Array.from(frames, (frame) => frame[3 * body + k]) })));

@@ -1,5 +1,5 @@
 "use strict";
-// The levels of each output, at the chosen pose or where it goes farthest, and whether its limits are kept.
+// The levels of each output, at the chosen pose or at the largest deviation, and whether its limits are kept.
 (() => {
   if (!linkdyn.outputs.length) return;
   const { outputs, choice, element, file } = linkdyn;

@@ -6,7 +6,7 @@
   const plot = id("needed_plot"), TALL = 190, LEFT = 46, RIGHT = 14, TOP = 10, BOTTOM = 34;
   const SHARES = [0, 0.25, 0.5, 0.75, 1];
   const make = (tag, { class: className, ...rest }, text) => svg(tag, { className, text, ...rest });
-  // A share at a deviation: between two points its root goes straight, as beside a change point.
+  // A share at a deviation: its square root is linear between two points, as near a change point.
   const share = (points, by) => {
     let [from, to] = [[0, 0], points[0]];
     for (let k = 1; k < points.length && Math.abs(to[0]) < Math.abs(by); k++) [from, to] = [points[k - 1], points[k]];

@@ -1,5 +1,5 @@
 "use strict";
-// The configuration that carries the output farthest, its displacements enlarged, over the nominal one in grey.
+// The configuration with the largest deviation of the output, its displacements enlarged, over the nominal one in grey.
 (() => {
   if (!linkdyn.outputs.length) return;
   const { given, choice, element, file, drawing, shapes, mechanism, theme, id } = linkdyn;

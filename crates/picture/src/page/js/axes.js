@@ -16,7 +16,7 @@
     pxAlign: 0, legend: { show: false },
     cursor: { x: false, y: false, points: { show: false }, drag: { x: drag, y: false, setScale: false }, ...(unzoom ? { bind: { dblclick: () => () => { unzoom(); return null; } } } : {}) },
   });
-  // The part of the axis over which the pointer was dragged; none where that is a click.
+  // The part of the axis over which the pointer was dragged; null for a click.
   const dragged = (u) => {
     if (u.select.width < 4) return null;
     const ends = [u.select.left, u.select.left + u.select.width].map((left) => u.posToVal(left, "x"));
@@ -54,7 +54,7 @@
   // The ends of a cut, in the unit that is shown.
   const scaled = (ends, factor) => ends.map((end) => end === null ? null : end * factor);
 
-  // A piece of a curve beside its name.
+  // A piece of a curve next to its name.
   const swatch = (stroke, { wide = 24, width = 2.4, dash = [], ...rest } = {}) => svg("svg", { width: wide, height: 10, "aria-hidden": "true", ...rest },
     svg("line", { x1: 0, x2: wide, y1: 5, y2: 5, "stroke-width": width, stroke, "stroke-dasharray": dash.join(" ") }));
 

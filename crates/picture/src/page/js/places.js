@@ -12,7 +12,7 @@ linkdyn.measureShapes = () => {
   // Whether the poses are in the page at all.
   const known = mechanism.bodies.length > 1 && poses.slice(1).every(Boolean);
 
-  // Pose of a body in a row; none where the cells are empty.
+  // Pose of a body in a row; null if the cells are empty.
   const pose = (body, row) => {
     if (body === 0) return [0, 0, 0];
     const of = poses[body];

@@ -1,18 +1,18 @@
 "use strict";
-// Which columns are worth a plot, and which come first: what the model asks for, then what drives, what carries most, how fast.
+// Which columns are worth a plot, and which come first: declared points, then driving torques and forces, the largest forces, speeds.
 (() => {
   const { columns, byName, mechanism, summary, endsOf } = linkdyn;
   const MOST = 4;
   const shown = columns.filter((column) => column.wanted && column.name !== "time");
   const ending = (pattern, filter = () => true) => shown.filter((column) => pattern.test(column.name) && filter(column));
 
-  // The largest size of a column, and of all columns of its unit: what is tiny beside them is round-off.
+  // The largest size of a column, and of all columns of its unit: what is tiny compared with them is round-off.
   const size = (column) => Math.max(0, ...endsOf(column).filter(Number.isFinite).map(Math.abs));
   const ofUnit = new Map();
   for (const column of columns) ofUnit.set(column.unit, Math.max(ofUnit.get(column.unit) || 0, size(column)));
   const nothing = (value, unit) => Math.abs(value) <= 1e-11 * (ofUnit.get(unit) || 0);
   const lives = (column) => size(column) > 0 && !nothing(size(column), column.unit);
-  // Round-off about zero is large beside itself, so that it is held against all of its unit, too.
+  // Round-off about zero varies by much of its own size, so it is compared with all columns of its unit, too.
   const varies = (column) => { const [low, high] = endsOf(column); return high - low > 1e-9 * size(column) && !nothing(high - low, column.unit) && high > low; };
   // Whether two curves of one unit need an axis each: on a common one the travel of one would be a line to the eye. That holds for
   // places and angles, whose zero is arbitrary; sizes of forces and speeds are compared on one axis.
@@ -90,7 +90,7 @@
 
   const MOST_FIRST = 8;
   const first = presets.filter(({ first }) => first).slice(0, MOST_FIRST);
-  // A value as text; round-off beside what others of its unit are is nothing.
+  // A value as text; what is round-off compared with others of its unit is zero.
   const textOf = (column, row, digits) => {
     const value = column.values[row];
     return linkdyn.units.quantity(nothing(value, column.unit) ? 0 : value, column.unit, digits);

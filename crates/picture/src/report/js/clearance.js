@@ -82,7 +82,7 @@
     pen.strokeStyle = colours.muted; pen.lineWidth = 1; pen.stroke(orbit(inset, at));
     const f = fx && fy ? [fx.values[row], fy.values[row]] : [0, 0], size = Math.hypot(...f);
     if (Number.isFinite(e) && size > 0 && most > 0) {
-      // By the root, so that small forces are seen beside the blows.
+      // By the square root, so that small forces are visible next to impacts.
       const long = 24 + 60 * Math.sqrt(size / most), from = at(row);
       drawing.arrow(pen, from, [from[0] + f[0] / size * long, from[1] - f[1] / size * long], 7, colours.force);
     }

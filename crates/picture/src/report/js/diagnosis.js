@@ -5,7 +5,7 @@
   const { table, name, jump, row, scroll } = tables;
   const MANY = 12;
 
-  // Label and text, one beside the other.
+  // Labels with their texts.
   const pairs = (box, list) => {
     const known = list.filter(([, value]) => value !== undefined && value !== null && value !== "");
     const body = element("tbody", {}, ...known.map(([label, value]) => row(element("th", { text: label, scope: "row" }), element("td", {}, value instanceof Node ? value : name(value)))));

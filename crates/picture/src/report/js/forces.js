@@ -1,5 +1,5 @@
 "use strict";
-// Force arrows: all to one scale that a legend tells, the longest cut with a double head, values at the heads.
+// Force arrows: all to one scale, which a legend shows; the longest are cut and have a double head; values stand at the heads.
 (() => {
   const { mechanism, shapes, drawing, units, column, rows } = linkdyn;
   const pairs = (prefix, things) => things.map(({ name }) => ["fx", "fy"].map((q) => column(`${prefix}.${name}.${q}`)));

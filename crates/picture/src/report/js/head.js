@@ -23,7 +23,7 @@
   else if (mechanism.bodies.length < 2) put("undrawn", "The drawing of this model is not in this page.");
   else if (!shapes.known) put("undrawn", "The poses of the bodies are not in this page, so that there is nothing to draw.");
 
-  // Long words about a model take one line until they are asked for.
+  // A long description takes one line until it is opened.
   const about = id("about"), more = id("more");
   const open = (on) => { id("head").classList.toggle("open", on); more.textContent = on ? "less" : "more"; more.setAttribute("aria-expanded", on); };
   const measure = () => { more.hidden = !(linkdyn.source || about.scrollWidth > about.clientWidth + 1 || id("name").scrollHeight > id("name").clientHeight + 4 || id("head").classList.contains("open")); };

@@ -8,7 +8,7 @@
   const list = (owner, names) => names.map((name) => column(`${owner}.${name}`)).filter((found) => found && found.wanted);
   const length = (between, row) => { const [a, b] = between.map((end) => shapes.place(end, row)); return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : NaN; };
 
-  // Things with a place: title, what they are, columns to tell of, and those to plot.
+  // Things with a place: title, kind, columns to show, and those to plot.
   const joints = mechanism.joints.map(({ name, type, between, clearance }, k) => ({
     name, kind: clearance ? `${type} with clearance` : type, at: (row) => shapes.place(between[1], row),
     columns: list(`joint.${name}`, ["angle", "omega", "slide", "rate", "f", "fx", "fy", "torque", "eccentricity", "penetration", "normal_force", "sliding_speed", "pressure_angle", "curvature"]),

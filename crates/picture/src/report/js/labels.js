@@ -1,8 +1,8 @@
 "use strict";
-// Labels beside what they name: none covers another one, a pin or a button, and while the mechanism moves they keep their side.
+// Labels next to what they name: none covers another one, a pin or a button, and while the mechanism moves they keep their side.
 (() => {
   const TALL = 14, GAP = 3;
-  // Directions of places around a thing: beside it first, then above and below, nearer ones first.
+  // Directions of places around a thing: left and right first, then above and below, nearer ones first.
   const AROUND = [[1, -1], [-1, -1], [1, 1], [-1, 1], [1, 0], [-1, 0], [0, -1], [0, 1]];
   const FAR = [1, 1.9, 3];
   const held = new Map();

@@ -23,7 +23,7 @@
 
   const tickSize = (u, values) => 26 + 6.4 * Math.max(0, ...(values || []).map((text) => (text || "").length));
 
-  // The end of a long name tells more than its beginning.
+  // The end of a long name says more than its beginning.
   const short = (name) => { const text = linkdyn.plain(name); return text.length > 26 ? `…${text.slice(-25)}` : text; };
 
   class Plot {
@@ -139,7 +139,7 @@
       return this.scales.length > 1 && own.length === 1 ? tone(this.columns.indexOf(own[0])) : linkdyn.colour("muted");
     }
 
-    // What an axis says before its unit: the name of its only curve where the curves alone do not tell.
+    // What an axis says before its unit: the name of its only curve where the legend is not enough.
     axisName(own) {
       if (this.across) return `${short(own[0].name)} `;
       return this.apart ? `${short(own[0].name.split(".").at(-1))} ` : "";

@@ -78,7 +78,7 @@
       if (target) { target.add(column); return target; }
       return has || plots.open([column]);
     },
-    // Several at once: what fits into the plot, up to what can be told apart, and the rest into new ones.
+    // Several at once: what fits into the plot, up to as many as can be distinguished, and the rest into new ones.
     addAll(list, plot) {
       const fitting = list.filter((column) => plot.takes(column)).slice(0, Math.max(MOST_COLUMNS - plot.columns.length, list.length === 1 ? 1 : 0));
       const kinds = new Set(plot.units);

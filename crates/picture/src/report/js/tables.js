@@ -18,7 +18,7 @@
   }));
   if (headline.list.length) table("In short").append(scroll({ id: "short" }, heads("quantity", ["value"], ["at"]), first));
 
-  // Named numbers that the model asks for.
+  // The responses of the model.
   const answers = Object.entries(linkdyn.summary.responses || {});
   const answered = element("tbody");
   const respond = () => answered.replaceChildren(...answers.map(([of, { value, unit, limits, reason }]) => {
@@ -45,7 +45,7 @@
     td.dataset.si = Number.isFinite(value) ? value : "";
   });
 
-  // Smallest and largest value of each column, the interesting ones first: what drives, what carries, what the model asks for.
+  // Smallest and largest value of each column, the interesting ones first: driving torques, forces in joints, outputs.
   const INTEREST = [/^driver\..*\.effort$/, /^joint\..*\.f$/, /^(transmission|output)\./, /^joint\..*\.(torque|normal_force|penetration|eccentricity)$/, /^shaking\.(f|moment)$/,
     /^[^.]+\.[^.]+\.[xy]$/, /\.(angle|omega)$/, /^energy\./, /^force\./, /\.(x|y|vx|vy|alpha)$/];
   const interest = ({ name }) => { const found = INTEREST.findIndex((pattern) => pattern.test(name)); return found < 0 ? INTEREST.length : found; };

@@ -32,7 +32,7 @@
       if (Number.isFinite(value)) { sums[cell] += value; counts[cell]++; } else failed[cell]++;
     }
     const means = sums.map((sum, k) => counts[k] ? sum / counts[k] : NaN);
-    // A cell in which no variant is drawn is as the one beside it.
+    // A cell in which no variant is drawn has the value of a neighbour.
     for (let k = 0; k < wide * tall; k++) {
       const other = [k - wide, k + wide, k - 1, k + 1].find((own) => counts[own] || failed[own]);
       if (!counts[k] && !failed[k] && other !== undefined) [means[k], failed[k]] = [means[other], failed[other]];
