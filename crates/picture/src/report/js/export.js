@@ -111,5 +111,5 @@
   id("export").hidden = !rows;
   addEventListener("hashchange", go);
   go();
-  linkdyn.exports = { plotSvg, plotPng, poseSvg: () => svg(stage.size, poseDraws), posePng: () => png(stage.size, poseDraws), csv: figure.csv, film, hash };
+  linkdyn.exports = { plotSvg, plotPng, poseSvg: () => svg(stage.size, poseDraws), csv: figure.csv, film, hash };
 })();

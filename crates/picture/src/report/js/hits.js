@@ -146,5 +146,4 @@
   plots.leave = hide;
   addEventListener("scroll", hide, { passive: true });
   player.onState(hide);
-  linkdyn.hits = { find, plot };
 })();
