@@ -10,7 +10,7 @@ use crate::family::Family;
 use crate::mechanism::Mechanism;
 use crate::run::Run;
 
-pub use crate::broken::caught;
+pub use linkdyn_ask::caught;
 pub use linkdyn_engine::analysis::Progress;
 pub use linkdyn_engine::system::{System, Terms};
 
@@ -38,7 +38,9 @@ pub fn set(mechanism: &Mechanism, sets: Vec<String>) -> Result<Mechanism, Error>
 
 /// The text of `summary.json`; no time of writing files is told, as none were written.
 pub fn summary(run: &Run) -> String {
-    crate::files::summary_text(run.mechanism().origin(), run.outcome(), Stage::default())
+    run.mechanism()
+        .origin()
+        .summary(run.outcome(), Stage::default())
 }
 
 /// The columns of `results.csv`; all others were computed, too, where `analysis.columns` leaves some out.

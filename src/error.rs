@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use linkdyn_ask::Unanswered;
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_output::WriteError;
 use thiserror::Error as ThisError;
@@ -56,6 +57,15 @@ pub enum Error {
     /// A text is no unit.
     #[error("{0:?} is no unit")]
     Unit(String),
+    /// A question can't be asked of this model: what is wrong, a line each.
+    #[error("{}", .0.join("\n"))]
+    Question(Vec<String>),
+    /// A question has no answer, as the solver cannot continue.
+    #[error("{0}")]
+    Failed(String),
+    /// Rows of a study can't be kept or read.
+    #[error(transparent)]
+    Rows(linkdyn_study::chunks::ChunkFault),
     /// A run ended early; what was computed until then can be had from [`Run`](crate::Run).
     #[error("the run ended early ({}): {message}", status.word())]
     Early {
@@ -79,5 +89,16 @@ impl Error {
 impl From<Complaints> for Error {
     fn from(complaints: Complaints) -> Self {
         Error::Model(complaints)
+    }
+}
+
+impl From<Unanswered> for Error {
+    fn from(why: Unanswered) -> Self {
+        match why {
+            Unanswered::Model(complaints) => Error::Model(complaints),
+            Unanswered::Question(lines) => Error::Question(lines),
+            Unanswered::Failed(why) => Error::Failed(why),
+            Unanswered::Rows(fault) => Error::Rows(fault),
+        }
     }
 }

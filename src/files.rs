@@ -3,29 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use crate::profiles;
-use linkdyn_engine::analysis::responses::to_json;
-use linkdyn_engine::analysis::{Outcome, derived, derived::derived};
-use linkdyn_model::Checked;
-use linkdyn_output::{Directory, Stage, Stopwatch, Summary, TIME, Trajectory, WriteError, csv};
-use linkdyn_picture::{Report, Shape};
+use linkdyn_ask::run::Origin;
+use linkdyn_engine::analysis::Outcome;
+use linkdyn_output::{Directory, Stage, Stopwatch, WriteError, csv};
 
 const RESULTS: &str = "results.csv";
 /// Rows between those of the results, where columns have their peaks.
 pub(crate) const PEAKS: &str = "peaks.csv";
 const SUMMARY: &str = "summary.json";
 const REPORT: &str = "report.html";
-
-/// What the files tell of a model beside its results.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Origin<'a> {
-    pub model: &'a Checked,
-    /// The model's own name, or the file's.
-    pub name: &'a str,
-    /// Of the file's bytes, hexadecimal.
-    pub sha256: &'a str,
-    /// Time that reading it took.
-    pub load: Stage,
-}
 
 /// Files that were written, and how long that took.
 #[derive(Debug, Default)]
@@ -71,13 +57,13 @@ pub(crate) fn write(
         Some(directory.write_with(PEAKS, |file| csv::write(&peaks, file))?)
     };
     let report = match page {
-        Page::Wanted => Some(directory.write(REPORT, html(origin, outcome).as_bytes())?),
+        Page::Wanted => Some(directory.write(REPORT, origin.html(outcome).as_bytes())?),
         Page::Unwanted => {
             directory.remove(REPORT)?;
             None
         }
     };
-    let text = summary_text(origin, outcome, watch.read());
+    let text = origin.summary(outcome, watch.read());
     let summary = directory.write(SUMMARY, text.as_bytes())?;
     let paths = [Some(results), peaks, Some(summary), report].into_iter();
     let cams = profiles::write(directory, origin.model)?;
@@ -86,68 +72,4 @@ pub(crate) fn write(
         paths: paths.flatten().chain(cams).collect(),
         time: watch.read(),
     })
-}
-
-/// The text of `summary.json`; `write` is the time that the other files took.
-pub(crate) fn summary_text(origin: Origin, outcome: &Outcome, write: Stage) -> String {
-    let shape = shape(origin.model, outcome.all());
-    let curves = outcome.curves();
-    linkdyn_output::summary::to_text(&Summary {
-        mechanism: shape.to_json(),
-        drawing: shape.to_drawing(),
-        write,
-        ..origin.summary(outcome, &curves)
-    })
-}
-
-/// The text of `report.html`.
-pub(crate) fn html(origin: Origin, outcome: &Outcome) -> String {
-    let (curves, complete) = (outcome.curves(), outcome.all_curves());
-    let summary = origin.summary(outcome, &curves);
-    let (derived, mut notes) = derived(origin.model, &complete);
-    if !outcome.peaks.is_empty() {
-        notes.push(format!(
-            "Besides the {} outputs this page has {} instants between them: where columns have their smallest or largest value, \
-             and where contacts begin, press most and end.",
-            outcome.trajectory.len(),
-            outcome.peaks.len()
-        ));
-    }
-    let report = Report {
-        derived: Some(&derived),
-        notes,
-        shape: profiles::shape(origin.model),
-        ..Report::new(origin.model, &summary, &complete)
-    };
-    report.html()
-}
-
-/// The shape of a model; its loads at the instants of a table that has the poses of all bodies.
-pub(crate) fn shape(model: &Checked, results: &Trajectory) -> Shape {
-    let mut shape = profiles::shape(model);
-    if shape.loads.is_empty() {
-        return shape;
-    }
-    if let Some((times, loads)) = results.values(TIME).zip(derived::loads(model, results)) {
-        shape.take_loads(&times, &loads);
-    }
-    shape
-}
-
-impl<'a> Origin<'a> {
-    /// The summary of a run, without the mechanism's shape and the time of writing.
-    fn summary(self, outcome: &'a Outcome, curves: &'a Trajectory) -> Summary<'a> {
-        Summary {
-            model_name: self.name,
-            model_sha256: self.sha256,
-            settings: &outcome.settings,
-            responses: to_json(&outcome.responses),
-            report: &outcome.report,
-            trajectory: curves,
-            mechanism: serde_json::Value::Null,
-            drawing: serde_json::Value::Null,
-            load: self.load,
-            write: Stage::default(),
-        }
-    }
 }

@@ -38,7 +38,6 @@ pub mod cli;
 pub mod guide;
 pub mod prelude;
 
-mod broken;
 mod error;
 mod family;
 mod files;
@@ -48,6 +47,7 @@ mod profiles;
 mod quantity;
 mod questions;
 mod run;
+mod studies;
 
 pub use error::Error;
 pub use family::{Family, Member};

@@ -4,14 +4,14 @@ use std::path::Path;
 use std::str::FromStr;
 use std::sync::{Arc, OnceLock};
 
+use linkdyn_ask::run::Origin;
+use linkdyn_ask::{ModelFile, Text};
 use linkdyn_engine::analysis::Prepared;
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Beside, Checked, Loaded, Model, bundled};
-use linkdyn_output::{ColumnId, Stage, Stopwatch};
-use sha2::{Digest, Sha256};
+use linkdyn_output::ColumnId;
 
 use crate::error::Error;
-use crate::files::Origin;
 use crate::handles::{Column, Columns, Parameter};
 use crate::quantity::Quantity;
 
@@ -43,30 +43,13 @@ use crate::quantity::Quantity;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Mechanism {
-    file: Arc<File>,
-    /// `PATH=VALUE`, in the order in which they were set.
-    sets: Vec<String>,
-    loaded: Arc<Loaded>,
-    /// Parameters that have other values than in `loaded`, by index, in SI.
+    file: ModelFile,
+    /// Parameters that have other values than in the file, by index, in SI.
     given: Vec<(usize, f64)>,
     model: Arc<Checked>,
     /// The model compiled for its analysis, when that was first needed.
     prepared: Arc<OnceLock<Prepared>>,
     columns: Arc<Columns>,
-    /// Time that reading it took.
-    load: Stage,
-}
-
-/// What was read.
-#[derive(Debug)]
-struct File {
-    /// The file's name without its end, or that of a bundled model.
-    stem: String,
-    /// Where it is, and which files it may name.
-    beside: Beside,
-    text: Vec<u8>,
-    /// Of the text, hexadecimal.
-    sha256: String,
 }
 
 /// Reads the text of a model file (`linkdyn/1`).
@@ -144,37 +127,27 @@ impl Mechanism {
 
     /// The text of a file that is there.
     pub(crate) fn read_beside(stem: &str, text: Vec<u8>, beside: Beside) -> Result<Self, Error> {
-        let file = File {
-            stem: stem.to_owned(),
-            beside,
-            sha256: format!("{:x}", Sha256::digest(&text)),
-            text,
-        };
-        Mechanism::load(Arc::new(file), Vec::new(), &[])
+        let text = Text::new(stem.to_owned(), stem.to_owned(), text, beside);
+        Mechanism::load(ModelFile::read(text, Vec::new())?, &[])
     }
 
-    /// Reads the text with values set, and gives parameters other values.
-    fn load(file: Arc<File>, sets: Vec<String>, given: &[(&str, f64)]) -> Result<Self, Error> {
-        let watch = Stopwatch::start();
-        let loaded = linkdyn_model::load_beside(&file.text, &sets, &file.beside)?;
-        let prepared = match loaded.model.analysis {
+    /// Compiles what was read, and gives parameters other values.
+    fn load(file: ModelFile, given: &[(&str, f64)]) -> Result<Self, Error> {
+        let prepared = match file.model().analysis {
             Some(_) => {
-                let prepared = Prepared::new(&loaded.model);
-                Some(prepared.map_err(|found| loaded.source.place_all(found))?)
+                let prepared = Prepared::new(file.model());
+                Some(prepared.map_err(|found| file.loaded.source.place_all(found))?)
             }
             None => None,
         };
         let columns = prepared.as_ref().map(Prepared::columns);
         let columns = Columns::new(columns.unwrap_or_default());
         let read = Mechanism {
-            file,
-            sets,
             given: Vec::new(),
-            model: Arc::new(loaded.model.clone()),
-            loaded: Arc::new(loaded),
+            model: Arc::new(file.model().clone()),
+            file,
             prepared: Arc::new(prepared.map_or_else(OnceLock::new, OnceLock::from)),
             columns: Arc::new(columns),
-            load: watch.read(),
         };
         let known = |name: &str| read.parameter(name).map(|parameter| parameter.index);
         let kept = given
@@ -198,7 +171,7 @@ impl Mechanism {
     /// The model's own name, or the file's.
     pub fn name(&self) -> &str {
         let own = self.model.name.as_deref().filter(|name| !name.is_empty());
-        own.unwrap_or(&self.file.stem)
+        own.unwrap_or(&self.file.text.stem)
     }
 
     /// The model as a file: the words that were read, parameters and expressions included, with what was set since.
@@ -215,9 +188,9 @@ impl Mechanism {
     /// # Ok::<(), linkdyn::Error>(())
     /// ```
     pub fn to_json(&self) -> String {
-        let mut document = self.loaded.source.print(&self.loaded.model);
+        let mut document = self.file.loaded.source.print(&self.file.loaded.model);
         for &(index, si) in &self.given {
-            let parameter = &self.loaded.parameters[index];
+            let parameter = &self.file.loaded.parameters[index];
             document["parameters"][&parameter.name] = match parameter.unit.as_str() {
                 "" => si.into(),
                 // The shortest text that is read as the same double.
@@ -229,12 +202,12 @@ impl Mechanism {
 
     /// What is allowed in the model and yet probably a slip.
     pub fn warnings(&self) -> &[String] {
-        &self.loaded.warnings
+        &self.file.loaded.warnings
     }
 
     /// Names and handles of the parameters, in the order of the model.
     pub fn parameters(&self) -> impl Iterator<Item = (&str, Parameter)> {
-        let parameters = self.loaded.parameters.iter().enumerate();
+        let parameters = self.file.loaded.parameters.iter().enumerate();
         parameters.filter_map(|(index, parameter)| {
             let nominal = Quantity::in_si(parameter.value, &parameter.unit)?;
             Some((parameter.name.as_str(), Parameter { index, nominal }))
@@ -292,20 +265,20 @@ impl Mechanism {
 
     /// What was read, and the values that parameters were given since, by index.
     pub(crate) fn read_with(&self) -> (&Loaded, &[(usize, f64)]) {
-        (&self.loaded, &self.given)
+        (&self.file.loaded, &self.given)
     }
 
     /// Complaints that came up after the model was read, with their places.
     pub(crate) fn place(&self, complaints: Complaints) -> Error {
-        self.loaded.source.place_all(complaints).into()
+        self.file.loaded.source.place_all(complaints).into()
     }
 
     pub(crate) fn origin(&self) -> Origin<'_> {
         Origin {
             model: self.model(),
             name: self.name(),
-            sha256: &self.file.sha256,
-            load: self.load,
+            load: self.file.time,
+            sha256: &self.file.text.sha256,
         }
     }
 }
@@ -324,7 +297,7 @@ impl Mechanism {
     ) -> Result<Self, Error> {
         let mut given = self.given.clone();
         for (parameter, value) in values {
-            let Some(known) = self.loaded.parameters.get(parameter.index) else {
+            let Some(known) = self.file.loaded.parameters.get(parameter.index) else {
                 let name = format!("number {}", parameter.index);
                 return Err(unknown("parameter", &name, std::iter::empty()));
             };
@@ -343,7 +316,7 @@ impl Mechanism {
 
     fn given(&self, given: Vec<(usize, f64)>) -> Result<Self, Error> {
         let named: Vec<(&str, f64)> = given.iter().map(|one| self.named(one)).collect();
-        let model = self.loaded.source.with_parameters(&named)?;
+        let model = self.file.loaded.source.with_parameters(&named)?;
         Ok(Mechanism {
             given,
             model: Arc::new(model),
@@ -353,7 +326,7 @@ impl Mechanism {
     }
 
     fn named(&self, (index, si): &(usize, f64)) -> (&str, f64) {
-        (&self.loaded.parameters[*index].name, *si)
+        (&self.file.loaded.parameters[*index].name, *si)
     }
 
     /// The mechanism with a value of its model set, as by `--set PATH=VALUE` of the command.
@@ -375,9 +348,9 @@ impl Mechanism {
 
     /// The mechanism with values of its model set at once, each as `PATH=VALUE`.
     pub(crate) fn set_all(&self, more: impl IntoIterator<Item = String>) -> Result<Self, Error> {
-        let sets = self.sets.iter().cloned().chain(more).collect();
+        let more: Vec<String> = more.into_iter().collect();
         let given: Vec<(&str, f64)> = self.given.iter().map(|one| self.named(one)).collect();
-        Mechanism::load(Arc::clone(&self.file), sets, &given)
+        Mechanism::load(self.file.with(&more)?, &given)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The profiles of cams: in pictures, and as files for whoever makes them.
+//! The profiles of cams as files for whoever makes them.
 //!
 //! | file           | holds                                                                                     |
 //! | -------------- | ----------------------------------------------------------------------------------------- |
@@ -12,22 +12,11 @@ use std::path::PathBuf;
 use linkdyn_engine::system::compile::{Profile, profiles};
 use linkdyn_model::Checked;
 use linkdyn_output::{Column, Directory, Trajectory, WriteError, csv};
-use linkdyn_picture::Shape;
 
 /// Millimetres in a metre.
 const MILLIMETRES: f64 = 1e3;
 /// Room around a drawing, by its size.
 const MARGIN: f64 = 0.05;
-
-/// The shape of a model, with the profiles of its cams.
-pub(crate) fn shape(model: &Checked) -> Shape {
-    let mut shape = Shape::of_model(model);
-    for profile in profiles(model) {
-        let outline = profile.rows.iter().map(|row| [row[1], row[2]]);
-        shape.take_profile(profile.joint, outline.collect(), profile.reach);
-    }
-    shape
-}
 
 /// Writes the files of all cams; none where there are no cams.
 pub(crate) fn write(directory: &Directory, model: &Checked) -> Result<Vec<PathBuf>, WriteError> {

@@ -1,9 +1,7 @@
 //! What can be asked of a mechanism: a run, a diagnosis, its modes.
 
-use std::time::{Duration, Instant};
-
+use linkdyn_ask::run::{limited, warned};
 use linkdyn_engine::analysis::{self, Check, Control, Linearised};
-use linkdyn_model::Model;
 
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -23,16 +21,9 @@ impl Mechanism {
     /// # Errors
     /// As [`Mechanism::run`].
     pub fn run_under(&self, control: &Control) -> Result<Run, Error> {
-        let own = deadline(self.model(), Instant::now());
-        let control = Control {
-            deadline: [control.deadline, own].into_iter().flatten().min(),
-            ..control.clone()
-        };
-        let outcome = self.prepared()?.run(&control);
-        let mut outcome = outcome.map_err(|found| self.place(found))?;
-        let warnings = self.warnings().iter().cloned();
-        outcome.report.warnings.splice(0..0, warnings);
-        Ok(Run::new(self.clone(), outcome))
+        let outcome = self.prepared()?.run(&limited(self.model(), control));
+        let outcome = outcome.map_err(|found| self.place(found))?;
+        Ok(Run::new(self.clone(), warned(outcome, self.warnings())))
     }
 
     /// Assembles and diagnoses the model without running it: mobility, loops, what is missing for which analysis.
@@ -60,12 +51,6 @@ impl Mechanism {
         let modes = analysis::modes(self.model(), false, &Control::default());
         modes.map_err(|found| self.place(found))
     }
-}
-
-/// When `max_wall_time` is over; none where there is no such setting, or no clock can tell that instant.
-pub(crate) fn deadline(model: &Model, started: Instant) -> Option<Instant> {
-    let seconds = model.analysis.as_ref()?.solver.max_wall_time?;
-    started.checked_add(Duration::try_from_secs_f64(seconds).ok()?)
 }
 
 #[cfg(test)]

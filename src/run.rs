@@ -113,7 +113,7 @@ impl Run {
     /// # Ok::<(), linkdyn::Error>(())
     /// ```
     pub fn html(&self) -> String {
-        crate::files::html(self.mechanism.origin(), &self.outcome)
+        self.mechanism.origin().html(&self.outcome)
     }
 
     /// Writes `results.csv`, `summary.json`, `report.html` and, of motions with contacts, `peaks.csv`, as the command does.

@@ -7,11 +7,11 @@ use clap::Args;
 use super::exit::{BadInput, Exit, Failure};
 use super::measures::{dpi, mark, number_within};
 use super::open;
-use super::page::{Page, count, number};
 use super::plot::{FilmCurves, film_chart};
 use super::results::{Results, extension, write_file};
-use super::shape::shape_for;
 use super::streams::print;
+use linkdyn_ask::shape::for_table;
+use linkdyn_ask::text::{Page, count, number};
 use linkdyn_output::TIME;
 use linkdyn_picture::film::{Film, Format, Length};
 use linkdyn_picture::mechanism::{Layout, Mechanism};
@@ -181,7 +181,7 @@ fn idle(options: &Options, format: &str) -> Result<(), Failure> {
 fn shape_of(options: &Options, results: &Results) -> Result<Shape, Failure> {
     if let Some(path) = &options.model {
         let loaded = open::model(path)?;
-        return Ok(shape_for(&loaded.model, &results.table));
+        return Ok(for_table(&loaded.model, &results.table));
     }
     let path = results.table.path.with_file_name("summary.json");
     if let Some(shape) = results.summary.as_ref().and_then(Shape::of_summary) {

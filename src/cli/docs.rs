@@ -3,9 +3,9 @@
 use clap::Args;
 
 use super::exit::{BadInput, Exit, Failure};
-use super::near::did_you_mean;
-use super::page::Page;
 use super::streams::print;
+use linkdyn_ask::near::did_you_mean;
+use linkdyn_ask::text::Page;
 
 #[derive(Debug, Args)]
 pub struct Options {

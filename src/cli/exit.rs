@@ -4,8 +4,8 @@ use std::io;
 
 use linkdyn_output::{Status, WriteError};
 
-/// How a command ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// How a command ended; of two ends the greater one is told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exit {
     /// It did what was asked for.
     Done,
@@ -57,6 +57,8 @@ impl From<Status> for Exit {
 pub enum Failure {
     /// That of the input.
     BadInput(Vec<String>),
+    /// That of numerics or geometry, which forbid to go on.
+    Stopped(String),
     /// That of the system, which does not take what is written.
     Unwritten(String),
     /// That of linkdyn.
@@ -70,6 +72,7 @@ impl Failure {
     pub fn parts(self) -> (Exit, Vec<String>) {
         match self {
             Failure::BadInput(lines) => (Exit::BadInput, lines),
+            Failure::Stopped(line) => (Exit::Stopped, vec![line]),
             Failure::Unwritten(line) => (Exit::Unwritten, vec![line]),
             Failure::Broken(line) => (Exit::Broken, vec![line]),
         }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::exit::{BadInput, Failure};
 use super::open::bad_input;
-use crate::files::shape;
+use linkdyn_ask::shape::with_loads;
 use linkdyn_engine::analysis::{self, Control};
 use linkdyn_model::bundled;
 use linkdyn_output::read::{ReadColumn, Table};
@@ -47,7 +47,7 @@ fn picture(name: &str) -> Result<Vec<u8>, Failure> {
     let model = loaded.model;
     let outcome = analysis::run(&model, &Control::default()).map_err(all)?;
     let results = outcome.all();
-    let shape = shape(&model, results);
+    let shape = with_loads(&model, results);
     let fault = |why: Fault| bad(&why);
     let poses = Poses::read(&table(name, results), &shape).map_err(fault)?;
     let mechanism = Mechanism::new(shape, poses).map_err(fault)?;

@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use super::Exit;
+use linkdyn_engine::analysis::Control;
 
 /// Characters of a line of progress, at most.
 const WIDTH: usize = 78;
@@ -39,6 +40,14 @@ pub fn watch() -> Arc<AtomicBool> {
         interrupted
     };
     Arc::clone(INTERRUPTED.get_or_init(begin))
+}
+
+/// What Ctrl-C interrupts.
+pub fn control() -> Control {
+    Control {
+        interrupted: watch(),
+        ..Control::default()
+    }
 }
 
 /// Handles signals from now on. Where no handler can be set, they end the process as they always do.

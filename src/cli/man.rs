@@ -7,9 +7,9 @@ use clap_mangen::Man;
 
 use super::Arguments;
 use super::exit::{BadInput, Exit, Failure};
-use super::near::did_you_mean;
-use super::page::Page;
 use super::streams::print;
+use linkdyn_ask::near::did_you_mean;
+use linkdyn_ask::text::Page;
 use linkdyn_output::Directory;
 
 #[derive(Debug, Args)]

@@ -6,9 +6,6 @@
 //! | `streams`   | what goes to which stream                                |
 //! | `open`      | MODEL: reads a model                                     |
 //! | `results`   | RESULTS: reads what a run has written                    |
-//! | `page`      | rows of text, numbers of a few digits                    |
-//! | `words`     | status, mobility, equilibrium in words                   |
-//! | `near`      | the name that was probably meant                         |
 //! | `measures`  | options that are numbers with limits                     |
 //! | `watch`     | runs again when a file changes                           |
 //! | `live`      | the page that shows the report of each of these runs     |
@@ -16,7 +13,6 @@
 //! | `interrupt` | Ctrl-C, and other signals to end                         |
 //! | `threads`   | how many threads share the work                          |
 //! | `gallery`   | pictures of the bundled models                           |
-//! | `shape`     | the shape of a model, for results that were read         |
 
 mod accuracy;
 mod allocate;
@@ -24,39 +20,29 @@ mod animate;
 mod check;
 mod compare;
 mod completions;
-mod diagnosis;
 mod docs;
 mod exit;
 mod gallery;
 mod interrupt;
-mod largest;
 mod live;
 mod man;
 mod measures;
 mod models;
 mod modes;
-mod near;
 mod new;
 mod open;
 mod optimise;
-mod page;
 mod plot;
 mod progress;
-mod refused;
 mod replaced;
-mod responses;
 mod results;
 mod run;
 mod schema;
-mod shape;
 mod streams;
 mod study;
-mod summary;
 mod threads;
-mod tolerances;
 mod validate;
 mod watch;
-mod words;
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Write};
@@ -71,7 +57,7 @@ use exit::{Exit, Failure};
 pub use streams::Said;
 use streams::{complain, kept, remark};
 
-use crate::broken::caught;
+use linkdyn_ask::caught;
 
 /// Planar multibody dynamics of linkages: assembly, kinematics, forces, statics, motion.
 #[derive(Debug, Parser)]

@@ -7,9 +7,9 @@ use serde_json::Value;
 
 use super::exit::{BadInput, Exit, Failure};
 use super::gallery;
-use super::near::did_you_mean;
-use super::page::{Page, wrapped};
 use super::streams::print;
+use linkdyn_ask::near::did_you_mean;
+use linkdyn_ask::text::{Page, wrapped};
 use linkdyn_model::bundled::{self, Bundled, NotBundled};
 use linkdyn_output::Directory;
 

@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::exit::{BadInput, Exit, Failure};
-use super::near::did_you_mean;
-use super::page::Page;
 use super::streams::print;
+use linkdyn_ask::near::did_you_mean;
+use linkdyn_ask::text::Page;
 
 /// Starter models: name, what it is for, file.
 const TEMPLATES: [(&str, &str, &str); 5] = [

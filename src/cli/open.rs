@@ -1,17 +1,18 @@
 //! MODEL: a path or a bundled model's name.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
-use sha2::{Digest, Sha256};
 
 use super::exit::{BadInput, Failure};
-use super::near::did_you_mean;
-use crate::files::Origin;
+use crate::error::Error;
+use linkdyn_ask::near::did_you_mean;
+use linkdyn_ask::{ModelFile, Text};
 use linkdyn_model::bundled::{self, NotBundled};
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::{self, Beside, Loaded};
-use linkdyn_output::{Stage, Stopwatch};
+use linkdyn_model::{Beside, Loaded};
+use linkdyn_study::chunks::ChunkFault;
 
 /// The model and what is changed in it.
 #[derive(Debug, Args)]
@@ -27,19 +28,6 @@ pub struct ModelOptions {
     allowed: Vec<PathBuf>,
 }
 
-/// A model that could be read.
-#[derive(Debug)]
-pub struct Opened {
-    pub loaded: Loaded,
-    /// Path or bundled name, as given.
-    pub label: String,
-    /// The model's own name, or the file's.
-    pub name: String,
-    /// Of the file's bytes, hexadecimal.
-    pub sha256: String,
-    pub time: Stage,
-}
-
 impl ModelOptions {
     /// The path or name, as given.
     pub fn path(&self) -> &Path {
@@ -51,64 +39,53 @@ impl ModelOptions {
         &self.sets
     }
 
-    /// Reads the model.
-    ///
-    /// # Errors
-    /// When there is no such model, or it has faults.
-    pub fn open(&self) -> Result<Opened, Failure> {
-        let label = self.model.display().to_string();
-        self.open_with(&[])?
-            .map_err(|complaints| bad_input(&label, complaints))
+    /// How the command calls the model.
+    pub fn label(&self) -> String {
+        self.model.display().to_string()
     }
 
     /// The text of the model.
     ///
     /// # Errors
     /// When there is no such model.
-    pub fn bytes(&self) -> Result<Vec<u8>, Failure> {
-        read(&self.model)
-    }
-
-    /// How the command calls the model.
-    pub fn label(&self) -> String {
-        self.model.display().to_string()
-    }
-
-    /// Reads the model with more values set, after those of the command.
-    ///
-    /// # Errors
-    /// When there is no such model; inside, its faults.
-    pub fn open_with(&self, more: &[String]) -> Result<Result<Opened, Complaints>, Failure> {
-        let watch = Stopwatch::start();
-        let label = self.model.display().to_string();
+    pub fn text(&self) -> Result<Arc<Text>, Failure> {
         let bytes = read(&self.model)?;
-        let sets = [self.sets.as_slice(), more].concat();
+        let label = self.label();
+        let stem = self.model.file_stem();
+        let stem = stem.map_or_else(|| label.clone(), |stem| stem.to_string_lossy().into_owned());
         let beside = Beside {
             path: self.model.clone(),
             allowed: self.allowed.clone(),
         };
-        let loaded = match linkdyn_model::load_beside(&bytes, &sets, &beside) {
-            Ok(loaded) => loaded,
-            Err(complaints) => return Ok(Err(complaints)),
-        };
-        let stem = self
-            .model
-            .file_stem()
-            .map_or_else(|| label.clone(), |stem| stem.to_string_lossy().into_owned());
-        let name = loaded
-            .model
-            .name
-            .clone()
-            .filter(|name| !name.is_empty())
-            .unwrap_or(stem);
-        let sha256 = format!("{:x}", Sha256::digest(&bytes));
-        Ok(Ok(Opened {
-            loaded,
-            label,
-            name,
-            sha256,
-            time: watch.read(),
-        }))
+        Ok(Text::new(label, stem, bytes, beside))
+    }
+
+    /// Reads the model.
+    ///
+    /// # Errors
+    /// When there is no such model, or it has faults.
+    pub fn open(&self) -> Result<ModelFile, Failure> {
+        let file = ModelFile::read(self.text()?, self.sets.clone());
+        file.map_err(|complaints| bad_input(&self.label(), complaints))
+    }
+
+    /// Whose fault it is that something could not be done, in lines.
+    pub fn refuse(&self, why: impl Into<Error>) -> Failure {
+        refuse(&self.label(), why.into())
+    }
+}
+
+/// Whose fault it is that something could not be done with a model, in lines.
+pub fn refuse(label: &str, why: Error) -> Failure {
+    match why {
+        Error::Model(complaints) => bad_input(label, complaints),
+        Error::Question(lines) => BadInput(lines),
+        Error::Failed(line) => Failure::Stopped(line),
+        Error::Write(error) => error.into(),
+        Error::Rows(fault @ (ChunkFault::Write { .. } | ChunkFault::Join(_))) => {
+            Failure::Unwritten(fault.to_string())
+        }
+        other => BadInput(vec![other.to_string()]),
     }
 }
 
@@ -119,23 +96,6 @@ impl ModelOptions {
 pub fn model(path: &Path) -> Result<Loaded, Failure> {
     linkdyn_model::load_beside(&read(path)?, &[], &Beside::of(path))
         .map_err(|complaints| bad_input(&path.display().to_string(), complaints))
-}
-
-impl Opened {
-    /// What the files of a run tell of the model.
-    pub fn origin(&self) -> Origin<'_> {
-        Origin {
-            model: &self.loaded.model,
-            name: &self.name,
-            sha256: &self.sha256,
-            load: self.time,
-        }
-    }
-
-    /// Complaints about the model that came up after it was read.
-    pub fn bad_input(&self, complaints: Complaints) -> Failure {
-        bad_input(&self.label, self.loaded.source.place_all(complaints))
-    }
 }
 
 /// Most complaints about one model; the rest is only counted.

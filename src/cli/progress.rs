@@ -6,7 +6,7 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use super::page::{number, plain};
+use linkdyn_ask::text::{number, plain};
 
 /// Commands that take less are not worth a line.
 const PATIENCE: Duration = Duration::from_millis(500);

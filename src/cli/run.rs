@@ -5,17 +5,18 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::files::{self, Written, open_directory, summary_text, write};
-use crate::questions::deadline;
+use crate::files::{self, Written, open_directory, write};
 
 use super::exit::{BadInput, Exit, Failure};
 use super::live::Live;
-use super::open::{ModelOptions, Opened};
+use super::open::ModelOptions;
 use super::progress::Line;
 use super::streams::{complain, print, print_with, remark};
 use super::watch::watch;
-use super::{interrupt, replaced, responses, summary};
-use linkdyn_engine::analysis::{self, Control, Outcome};
+use super::{interrupt, replaced};
+use linkdyn_ask::text::{Page, seconds};
+use linkdyn_ask::{self as ask, ModelFile, with_responses};
+use linkdyn_engine::analysis::Outcome;
 use linkdyn_output::{Directory, Stage, csv};
 
 #[derive(Debug, Args)]
@@ -94,16 +95,20 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
 
 /// Runs, writes, tells.
 fn once(options: &Options) -> Result<Exit, Failure> {
-    let started = Instant::now();
-    let opened = responses::open(&options.model, &options.responses)?;
-    // Tried before the run, so that nothing is computed in vain.
+    let (model, asked) = (&options.model, &options.responses);
+    let file = with_responses(&model.text()?, model.sets(), asked);
+    let file = file.map_err(|why| model.refuse(why))?;
     let target = match options.output.as_deref() {
         None => Target::Nowhere,
         Some(path) if path == Path::new("-") => Target::Stream,
         Some(path) => Target::Directory(open_directory(path)?),
     };
-    let outcome = solve(&opened, started)?;
-    let origin = opened.origin();
+    let control = interrupt::control();
+    let progress = control.progress.clone();
+    let line = Line::start(Instant::now(), file.name(), move || progress.share());
+    let outcome = ask::run::run(&file, &control);
+    drop(line);
+    let outcome = outcome.map_err(|why| model.refuse(why))?;
     let written = match &target {
         Target::Directory(directory) => {
             let (page, does) = if options.no_report {
@@ -112,7 +117,7 @@ fn once(options: &Options) -> Result<Exit, Failure> {
                 (files::Page::Wanted, "replaced")
             };
             replaced::tell(directory.path(), "run", does);
-            write(directory, origin, &outcome, page)?
+            write(directory, file.origin(), &outcome, page)?
         }
         Target::Nowhere | Target::Stream => Written::default(),
     };
@@ -123,10 +128,10 @@ fn once(options: &Options) -> Result<Exit, Failure> {
                 remark(&format!("warning: {warning}"));
             }
         }
-        (Target::Nowhere, true) => print(&summary_text(origin, &outcome, Stage::default()))?,
+        (Target::Nowhere, true) => print(&file.origin().summary(&outcome, Stage::default()))?,
         (Target::Directory(_), true) => print(&written.summary)?,
         (Target::Nowhere | Target::Directory(_), false) => {
-            print(&summary::page(&opened, &outcome, &written))?;
+            print(page(&file, &outcome, &written).text())?;
         }
     }
     let status = outcome.report.status;
@@ -137,20 +142,30 @@ fn once(options: &Options) -> Result<Exit, Failure> {
     Ok(exit)
 }
 
-/// The outcome of the analysis; the warnings of the file come before its own.
-fn solve(opened: &Opened, started: Instant) -> Result<Outcome, Failure> {
-    let model = &opened.loaded.model;
-    let control = Control {
-        deadline: deadline(model, started),
-        interrupted: interrupt::watch(),
-        ..Control::default()
-    };
-    let progress = control.progress.clone();
-    let line = Line::start(started, &opened.name, move || progress.share());
-    let outcome = analysis::run(model, &control);
-    drop(line);
-    let mut outcome = outcome.map_err(|complaints| opened.bad_input(complaints))?;
-    let warnings = opened.loaded.warnings.iter().cloned();
-    outcome.report.warnings.splice(0..0, warnings);
-    Ok(outcome)
+/// The run in words, with what was written and how long that took.
+fn page(file: &ModelFile, outcome: &Outcome, written: &Written) -> Page {
+    let mut page = ask::run::text(file, outcome);
+    let paths = written.paths.iter().map(|path| path.display().to_string());
+    page.rows("written", paths);
+    let report = &outcome.report;
+    let mut stages = vec![
+        ("load", file.time),
+        ("assemble", report.assemble),
+        ("solve", report.solve),
+    ];
+    if !written.paths.is_empty() {
+        stages.push(("write", written.time));
+    }
+    page.row("time", times(&stages));
+    page
+}
+
+/// `load 0.3 ms, solve 12 ms (CPU 11 ms)`.
+fn times(stages: &[(&str, Stage)]) -> String {
+    let walls: Vec<String> = stages
+        .iter()
+        .map(|(name, stage)| format!("{name} {}", seconds(stage.wall)))
+        .collect();
+    let cpu: f64 = stages.iter().map(|(_, stage)| stage.cpu).sum();
+    format!("{} (CPU {})", walls.join(", "), seconds(cpu))
 }

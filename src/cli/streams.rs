@@ -2,8 +2,10 @@
 
 use std::cell::RefCell;
 use std::io::{self, Write};
+use std::path::PathBuf;
 
-use super::page::plain;
+use linkdyn_ask::text::{Page, plain};
+use serde::Serialize;
 
 /// What a command left that another program ran.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -47,6 +49,23 @@ pub fn remark(line: &str) {
     if !kept(|said| said.stderr += &line) {
         let _ = io::stderr().write_all(line.as_bytes());
     }
+}
+
+/// Prints an answer in words, and the files that were written.
+pub fn tell(mut page: Page, written: &[PathBuf]) -> io::Result<()> {
+    let paths = written.iter().map(|path| path.display().to_string());
+    page.rows("written", paths);
+    print(page.text())
+}
+
+/// Prints an answer for programs.
+pub fn tell_json(answer: &impl Serialize) -> io::Result<()> {
+    print(&json(answer)?)
+}
+
+/// An answer as the text of a file for programs.
+pub fn json(answer: &impl Serialize) -> io::Result<String> {
+    Ok(serde_json::to_string_pretty(answer)? + "\n")
 }
 
 /// Writes to standard output; a reader that has gone away (`| head`) is no error.

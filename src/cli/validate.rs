@@ -8,10 +8,10 @@ use clap::Args;
 
 use super::exit::{BadInput, Exit, Failure};
 use super::interrupt;
-use super::near::nearest;
-use super::page::{Page, count, wrapped};
 use super::progress::Line;
 use super::streams::{complain, print};
+use linkdyn_ask::near::nearest;
+use linkdyn_ask::text::{Page, count, wrapped};
 use linkdyn_engine::analysis::Control;
 use linkdyn_output::Directory;
 use linkdyn_picture::validate_page::{Counts, IndexPage, IndexRow, MEANINGS};

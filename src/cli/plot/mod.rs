@@ -9,10 +9,10 @@ mod study;
 mod units;
 
 use super::exit::{BadInput, Exit, Failure};
-use super::page::{Page, count, number};
 use super::results::{Results, extension, write_file};
 use super::streams::print;
 use chart::chart;
+use linkdyn_ask::text::{Page, count, number};
 use linkdyn_picture::{Chart, Mark, POINTS_PER_MM, raster, svg};
 pub use options::Options;
 

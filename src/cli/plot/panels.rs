@@ -3,8 +3,8 @@
 use super::labels::{axis_name, run_labels};
 use super::options::Options;
 use crate::cli::exit::{BadInput, Failure};
-use crate::cli::page::count;
 use crate::cli::results::Results;
+use linkdyn_ask::text::count;
 use linkdyn_output::Channel;
 use linkdyn_picture::{Axis, Curve, Panel};
 

@@ -6,8 +6,8 @@ use serde_json::Value;
 
 use super::options::Options;
 use crate::cli::exit::{BadInput, Failure};
-use crate::cli::page::number;
 use crate::cli::results::Results;
+use linkdyn_ask::text::number;
 use linkdyn_output::Table;
 use linkdyn_output::read::ReadColumn;
 

@@ -244,6 +244,7 @@ fn face() -> Face {
     };
     let sources = Sources::parse(&[
         ("linkdyn", &of("src")),
+        ("linkdyn_ask", &of("crates/ask/src")),
         ("linkdyn_engine", &of("crates/engine/src")),
         ("linkdyn_linear", &of("crates/linear/src")),
         ("linkdyn_model", &of("crates/model/src")),

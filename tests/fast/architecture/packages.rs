@@ -11,15 +11,20 @@ const PACKAGES: &[(&str, &[&str])] = &[
     (
         "linkdyn",
         &[
+            "ask",
             "validation",
             "picture",
             "engine",
             "output",
             "model",
             "linear",
-            "optimise",
             "study",
         ],
+    ),
+    // Questions and their answers.
+    (
+        "ask",
+        &["picture", "engine", "output", "model", "optimise", "study"],
     ),
     // The cases: what the engine is held against.
     (

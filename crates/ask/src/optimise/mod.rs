@@ -1,0 +1,127 @@
+//! Values of parameters with which goals are met, an objective is least, or a point takes a path.
+//!
+//! | file        | does                                                                  |
+//! | ----------- | --------------------------------------------------------------------- |
+//! | `asked`     | what is asked for, put into the model's `optimise`                    |
+//! | `question`  | what is looked for                                                    |
+//! | `variants`  | what a variant gives: the one place where the search meets the engine |
+//! | `guarded`   | variants among which one with a fault of linkdyn has no value         |
+//! | `path`      | the model whose motion gives a path, and its nodes                    |
+//! | `timing`    | the analysis that gives a path                                        |
+//! | `problem`   | a variant as the search sees it                                       |
+//! | `slopes`    | its derivatives                                                       |
+//! | `search`    | the starts                                                            |
+//! | `optimised` | what they come to                                                     |
+//! | `json`      | the same for programs                                                 |
+//! | `text`      | the same in words                                                     |
+
+mod asked;
+mod guarded;
+mod json;
+mod optimised;
+mod path;
+mod problem;
+mod question;
+mod search;
+mod slopes;
+mod text;
+mod timing;
+mod variants;
+
+use std::sync::Arc;
+
+use linkdyn_engine::analysis::Control;
+
+use crate::{ModelFile, Text, Unanswered};
+use guarded::Guarded;
+pub use optimised::Optimised;
+use question::Question;
+use search::Search;
+use timing::Timing;
+use variants::{Found, Runs};
+
+/// Asks for values of parameters. What is asked for here comes before what the model says under `optimise`.
+#[derive(Debug, Clone, Default)]
+pub struct Optimise {
+    /// Parameters that may change, `parameters.r=10 mm:60 mm` or without bounds.
+    pub vary: Vec<String>,
+    /// Equations that must hold.
+    pub goals: Vec<String>,
+    /// What is to be least; one at most, here or below.
+    pub minimise: Vec<String>,
+    /// What is to be greatest.
+    pub maximise: Vec<String>,
+    /// What must hold besides.
+    pub constraints: Vec<String>,
+    /// Standard deviations that the objective may get worse by tolerances.
+    pub robust: Option<f64>,
+    /// How many starts there are.
+    pub starts: Option<u64>,
+    /// Seed of the points from which they start.
+    pub seed: Option<u64>,
+}
+
+/// A search that is ready to begin.
+pub struct Optimisation {
+    /// The model with what is asked for.
+    pub file: ModelFile,
+    question: Question,
+    timing: Option<Timing>,
+    runs: Runs,
+    control: Control,
+}
+
+impl Optimise {
+    /// Reads a model with what is asked for, which this may interrupt.
+    ///
+    /// # Errors
+    /// Faults of the model and of what is asked for.
+    pub fn of(
+        &self,
+        text: &Arc<Text>,
+        sets: &[String],
+        control: &Control,
+    ) -> Result<Optimisation, Unanswered> {
+        let plain = self.read(text, sets)?;
+        let (question, file) = Question::new(&plain)?;
+        let timing = Timing::new(&plain, &question)?;
+        let interrupted = Arc::clone(&control.interrupted);
+        let runs = Runs::new(&question, &file, &plain, timing.as_ref(), interrupted)?;
+        Ok(Optimisation {
+            file,
+            question,
+            timing,
+            runs,
+            control: control.clone(),
+        })
+    }
+}
+
+impl Optimisation {
+    /// Searches; threads of rayon share the starts. All evaluations are kept where that is asked for.
+    ///
+    /// # Errors
+    /// More parameters than the starts can be spread over.
+    pub fn answer(self, is_kept: bool) -> Result<Optimised, Unanswered> {
+        let mut search = Search {
+            question: &self.question,
+            variants: &Guarded(&self.runs),
+            timing: self.timing.as_ref(),
+            scales: Vec::new(),
+            keep: is_kept,
+        };
+        let missing = match search.as_it_is()? {
+            Found::None(why) => Some(why),
+            Found::Some(_) | Found::Stopped => None,
+        };
+        let ended = search.run(&self.control.progress)?;
+        let scales = search.scales;
+        Ok(Optimised::new(
+            self.file,
+            self.question,
+            ended,
+            scales,
+            missing,
+        ))
+    }
+}

@@ -1,0 +1,57 @@
+//! The shape of a model as it is drawn: with the profiles of its cams, and what its loads are over time.
+
+use linkdyn_engine::analysis::derived;
+use linkdyn_engine::system::compile::profiles;
+use linkdyn_model::Checked;
+use linkdyn_output::{BodyQuantity, Channel, Column, TIME, Table, Trajectory};
+use linkdyn_picture::Shape;
+
+/// The shape of a model, with the profiles of its cams.
+pub fn with_profiles(model: &Checked) -> Shape {
+    let mut shape = Shape::of_model(model);
+    for profile in profiles(model) {
+        let outline = profile.rows.iter().map(|row| [row[1], row[2]]);
+        shape.take_profile(profile.joint, outline.collect(), profile.reach);
+    }
+    shape
+}
+
+/// The same; its loads at the instants of a table that has the poses of all bodies.
+pub fn with_loads(model: &Checked, results: &Trajectory) -> Shape {
+    let mut shape = with_profiles(model);
+    if shape.loads.is_empty() {
+        return shape;
+    }
+    if let Some((times, loads)) = results.values(TIME).zip(derived::loads(model, results)) {
+        shape.take_loads(&times, &loads);
+    }
+    shape
+}
+
+/// The same, for results that were read.
+pub fn for_table(model: &Checked, table: &Table) -> Shape {
+    let moving = Shape::of_model(model).bodies.into_iter().skip(1);
+    with_loads(model, &poses(table, moving.map(|body| body.name)))
+}
+/// Time and the poses of these bodies, as the engine writes them.
+fn poses(table: &Table, bodies: impl Iterator<Item = String>) -> Trajectory {
+    let mut columns = vec![Column::of(Channel::Time, "", "s")];
+    for (body, name) in bodies.enumerate() {
+        let quantities = [BodyQuantity::X, BodyQuantity::Y, BodyQuantity::Angle];
+        let column = |quantity: BodyQuantity| {
+            Column::of(Channel::Body(body, quantity), &name, quantity.unit())
+        };
+        columns.extend(quantities.map(column));
+    }
+    let values: Vec<Option<&[f64]>> = columns
+        .iter()
+        .map(|column| table.values(table.column(&column.name)?).ok())
+        .collect();
+    let mut poses = Trajectory::new(columns);
+    for row in 0..table.len() {
+        // Where a pose is missing the picture itself will say so.
+        let cell = |values: &Option<&[f64]>| values.map_or(f64::NAN, |values| values[row]);
+        poses.push_row(&values.iter().map(cell).collect::<Vec<_>>());
+    }
+    poses
+}
