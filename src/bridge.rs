@@ -2,13 +2,17 @@
 
 use std::path::{Path, PathBuf};
 
+use linkdyn_ask::{ModelFile, study};
+use linkdyn_engine::analysis::Control;
 use linkdyn_model::Beside;
 use linkdyn_output::{Column, Stage};
+use linkdyn_study::chunks::Shard;
 
 use crate::error::Error;
 use crate::family::Family;
 use crate::mechanism::Mechanism;
 use crate::run::Run;
+use crate::studies;
 
 pub use linkdyn_ask::caught;
 pub use linkdyn_engine::analysis::Progress;
@@ -52,6 +56,156 @@ pub fn wanted(run: &Run) -> &[Column] {
 pub fn responses(family: &Family) -> Vec<(String, String)> {
     let owned = |(name, unit): (&str, &str)| (name.to_owned(), unit.to_owned());
     family.responses().map(owned).collect()
+}
+
+/// A study of a mechanism, whose rows can be had, and kept in directories share by share.
+pub struct Variants(study::Variants);
+
+/// What a study comes to as JSON, in words and as a page.
+pub struct Studied {
+    /// `study.json`.
+    pub json: String,
+    /// The same in words.
+    pub text: String,
+    /// `report.html`, where that is wanted and no file.
+    pub page: Option<String>,
+}
+
+/// The rows of a study: how each ended, and inputs and responses \[SI\], row by row.
+#[derive(Default)]
+pub struct Rows {
+    /// `completed`, or why it has no result.
+    pub statuses: Vec<String>,
+    /// (variants, inputs and responses); NaN where there is none.
+    pub values: Vec<f64>,
+}
+
+impl Variants {
+    /// Of a question; of what the model says, where there is none. Responses are asked for besides those of the model.
+    ///
+    /// # Errors
+    /// A question that does not fit the model.
+    pub fn new(
+        mechanism: &Mechanism,
+        question: Option<&study::Study>,
+        seed: Option<u64>,
+        responses: &[String],
+    ) -> Result<Self, Error> {
+        let file = mechanism.as_file()?;
+        let file = linkdyn_ask::with_responses(&file.text, &file.sets, responses)?;
+        let own = || study::Study::of_model(&file, seed).unwrap_or_default();
+        let question = question.cloned().unwrap_or_else(own);
+        Ok(Variants(question.variants(&file)?))
+    }
+
+    /// What the study is: `study.json` before anything was computed.
+    pub fn plan(&self) -> String {
+        studies::plan(&self.0)
+    }
+
+    /// Names and SI units of inputs and responses.
+    pub fn columns(&self) -> Vec<(String, String)> {
+        let head = &self.0.head;
+        let inputs = head.inputs.iter().map(|own| (&own.name, &own.unit));
+        let responses = head.responses.iter().map(|own| (&own.name, &own.unit));
+        let both = inputs.chain(responses);
+        both.map(|(name, unit)| (name.clone(), unit.clone()))
+            .collect()
+    }
+
+    /// Computes all variants; none where it is interrupted.
+    pub fn run(&self, control: &Control, page: bool) -> Option<(Studied, Rows)> {
+        let mut all = Rows::default();
+        let studied = self.0.answer(control, |rows| {
+            for row in rows.iter() {
+                all.statuses
+                    .push(row.reason.unwrap_or("completed").to_owned());
+                all.values.extend(row.inputs.iter().chain(row.responses));
+            }
+        })?;
+        let page = page.then(|| studied.html(Some((&self.0, control))));
+        Some((Studied::new(&studied, page), all))
+    }
+
+    /// Computes what a share of the chunks in a directory lacks; false where it is interrupted.
+    ///
+    /// # Errors
+    /// A directory of another study, files that can't be written.
+    pub fn share(
+        &self,
+        directory: &Path,
+        [index, of]: [u64; 2],
+        control: &Control,
+    ) -> Result<bool, Error> {
+        let shard = Shard::new(index, of);
+        let shard = shard.map_err(|fault| Error::Question(vec![fault.to_string()]))?;
+        studies::Kept::begin(directory, &self.0)?.fill(&self.0, shard, control)
+    }
+
+    /// Computes what is missing in a directory, and writes all files; none where it is interrupted.
+    ///
+    /// # Errors
+    /// A directory of another study, files that can't be written.
+    pub fn join(
+        &self,
+        directory: &Path,
+        page: bool,
+        control: &Control,
+    ) -> Result<Option<Studied>, Error> {
+        let kept = studies::Kept::begin(directory, &self.0)?;
+        if !kept.fill(&self.0, Shard::WHOLE, control)? {
+            return Ok(None);
+        }
+        let files = studies::Files {
+            page,
+            parquet: false,
+        };
+        let (studied, _) = kept.join(Some((&self.0, control)), files)?;
+        Ok(Some(Studied::new(&studied, None)))
+    }
+}
+
+impl Studied {
+    fn new(studied: &study::Studied, page: Option<String>) -> Self {
+        Studied {
+            json: studies::text(studied),
+            text: studied.text().text().to_owned(),
+            page,
+        }
+    }
+}
+
+/// Does a work by so many threads, one for each processor where that is 0.
+///
+/// # Errors
+/// The system gives no threads.
+pub fn by_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> Result<T, Error> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| Error::Question(vec![format!("no threads: {error}")]))?;
+    Ok(pool.install(work))
+}
+
+/// An answer as JSON.
+pub fn json(answer: &impl serde::Serialize) -> String {
+    studies::text(answer)
+}
+
+/// An answer in words.
+pub fn words(page: linkdyn_ask::text::Page) -> String {
+    page.text().to_owned()
+}
+
+/// The mechanism of a model that a question gave.
+///
+/// # Errors
+/// [`Error::Model`] where it can't be compiled.
+pub fn mechanism(file: ModelFile) -> Result<Mechanism, Error> {
+    Mechanism::of_file(file)
+}
+
+/// Names of the bundled models.
+pub fn bundled() -> Vec<String> {
+    linkdyn_model::bundled::names().map(str::to_owned).collect()
 }
 
 /// The equations that a mechanism was compiled to.

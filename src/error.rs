@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use linkdyn_ask::Unanswered;
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_output::WriteError;
+use linkdyn_study::chunks::ChunkFault;
 use thiserror::Error as ThisError;
 
 /// Why something could not be done. How a run ended is no error: see [`Run::status`](crate::Run::status).
@@ -63,9 +64,12 @@ pub enum Error {
     /// A question has no answer, as the solver cannot continue.
     #[error("{0}")]
     Failed(String),
+    /// A question was interrupted before it had an answer.
+    #[error("interrupted")]
+    Interrupted,
     /// Rows of a study can't be kept or read.
     #[error(transparent)]
-    Rows(linkdyn_study::chunks::ChunkFault),
+    Rows(ChunkFault),
     /// A run ended early; what was computed until then can be had from [`Run`](crate::Run).
     #[error("the run ended early ({}): {message}", status.word())]
     Early {
@@ -86,6 +90,17 @@ impl Error {
     }
 }
 
+impl Error {
+    /// Whether the system does not take what is written.
+    #[doc(hidden)]
+    pub fn is_unwritten(&self) -> bool {
+        matches!(
+            self,
+            Error::Write(_) | Error::Rows(ChunkFault::Write { .. } | ChunkFault::Join(_))
+        )
+    }
+}
+
 impl From<Complaints> for Error {
     fn from(complaints: Complaints) -> Self {
         Error::Model(complaints)
@@ -98,6 +113,7 @@ impl From<Unanswered> for Error {
             Unanswered::Model(complaints) => Error::Model(complaints),
             Unanswered::Question(lines) => Error::Question(lines),
             Unanswered::Failed(why) => Error::Failed(why),
+            Unanswered::Interrupted => Error::Interrupted,
             Unanswered::Rows(fault) => Error::Rows(fault),
         }
     }

@@ -52,13 +52,28 @@ mod studies;
 pub use error::Error;
 pub use family::{Family, Member};
 pub use handles::{Column, Parameter};
-pub use linkdyn_engine::analysis::{Check, Control, Linearised, Mode};
+pub use linkdyn_engine::analysis::{Control, Linearised, Mode};
 pub use linkdyn_model::Model;
 pub use linkdyn_model::error::{Complaint, Complaints, Place};
 pub use linkdyn_output::{Event, Report, Status};
 pub use mechanism::Mechanism;
 pub use quantity::{Quantity, deg, kg, m, mm, newton, newton_metre, rad, rpm, s, um};
 pub use run::{Run, Values};
+
+/// Questions to a [`Mechanism`], and their answers: each answer serialises as the command's JSON, and tells itself in words.
+pub mod ask {
+    pub use linkdyn_ask::Question;
+    pub use linkdyn_ask::accuracy::{Accuracy, Deviations};
+    pub use linkdyn_ask::allocate::{Allocate, Allocation};
+    pub use linkdyn_ask::check::{Check, Diagnosis};
+    pub use linkdyn_ask::compare::{Compare, Compared};
+    pub use linkdyn_ask::modes::{Modes, SmallMotions};
+    pub use linkdyn_ask::optimise::{Optimise, Optimised};
+    pub use linkdyn_ask::study::{Studied, Study, Varied};
+    pub use linkdyn_engine::analysis::Check as Findings;
+    pub use linkdyn_engine::analysis::accuracy::Levels;
+    pub use linkdyn_study::design::Method;
+}
 
 /// Every type of a [`Model`].
 pub mod model {

@@ -131,6 +131,11 @@ impl Mechanism {
         Mechanism::load(ModelFile::read(text, Vec::new())?, &[])
     }
 
+    /// What was read, compiled.
+    pub(crate) fn of_file(file: ModelFile) -> Result<Self, Error> {
+        Mechanism::load(file, &[])
+    }
+
     /// Compiles what was read, and gives parameters other values.
     fn load(file: ModelFile, given: &[(&str, f64)]) -> Result<Self, Error> {
         let prepared = match file.model().analysis {
@@ -261,6 +266,21 @@ impl Mechanism {
         }
         let prepared = Prepared::new(&self.model).map_err(|found| self.place(found))?;
         Ok(self.prepared.get_or_init(|| prepared))
+    }
+
+    /// The model as it would be read with the values that parameters were given.
+    pub(crate) fn as_file(&self) -> Result<ModelFile, Error> {
+        if self.given.is_empty() {
+            return Ok(self.file.clone());
+        }
+        let sets = self.given.iter().map(|one| {
+            let (name, si) = self.named(one);
+            match self.file.loaded.parameters[one.0].unit.as_str() {
+                "" => format!("parameters.{name}={si:?}"),
+                unit => format!("parameters.{name}=\"{si:?} {unit}\""),
+            }
+        });
+        Ok(self.file.set(sets.collect())?)
     }
 
     /// What was read, and the values that parameters were given since, by index.

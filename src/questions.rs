@@ -1,8 +1,12 @@
-//! What can be asked of a mechanism: a run, a diagnosis, its modes.
+//! What can be asked of a mechanism.
 
 use linkdyn_ask::run::{limited, warned};
-use linkdyn_engine::analysis::{self, Check, Control, Linearised};
+use linkdyn_engine::analysis::Control;
 
+use crate::ask::{
+    Accuracy, Allocate, Allocation, Check, Compare, Compared, Deviations, Diagnosis, Modes,
+    Optimise, Optimised, Question, SmallMotions, Studied, Study,
+};
 use crate::error::Error;
 use crate::mechanism::Mechanism;
 use crate::run::Run;
@@ -26,6 +30,25 @@ impl Mechanism {
         Ok(Run::new(self.clone(), warned(outcome, self.warnings())))
     }
 
+    /// Asks any question of the mechanism, under outside control: [`Compare`], [`Study`] and so on.
+    ///
+    /// # Errors
+    /// Why it has no answer.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::Modes;
+    /// use linkdyn::prelude::*;
+    ///
+    /// let pendulum = Mechanism::bundled("double-pendulum")?;
+    /// let modes = pendulum.ask(&Modes { pose: true }, &Control::default())?;
+    /// println!("{}", modes.text());
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn ask<Q: Question>(&self, question: &Q, control: &Control) -> Result<Q::Answer, Error> {
+        Ok(question.answer(&self.as_file()?, control)?)
+    }
+
     /// Assembles and diagnoses the model without running it: mobility, loops, what is missing for which analysis.
     ///
     /// # Errors
@@ -36,20 +59,134 @@ impl Mechanism {
     /// use linkdyn::prelude::*;
     ///
     /// let check = Mechanism::bundled("four-bar")?.check()?;
-    /// assert_eq!((check.bodies, check.mobility.rank), (3, 1));
+    /// assert_eq!((check.found.bodies, check.found.mobility.rank), (3, 1));
     /// # Ok::<(), linkdyn::Error>(())
     /// ```
-    pub fn check(&self) -> Result<Check, Error> {
-        analysis::check(self.model()).map_err(|found| self.place(found))
+    pub fn check(&self) -> Result<Diagnosis, Error> {
+        self.ask(&Check, &Control::default())
     }
 
     /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium.
     ///
     /// # Errors
     /// [`Error::Model`] where it can't be compiled.
-    pub fn modes(&self) -> Result<Linearised, Error> {
-        let modes = analysis::modes(self.model(), false, &Control::default());
-        modes.map_err(|found| self.place(found))
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::prelude::*;
+    ///
+    /// let pendulum = Mechanism::bundled("double-pendulum")?;
+    /// assert_eq!(pendulum.modes()?.found.modes.len(), 2);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn modes(&self) -> Result<SmallMotions, Error> {
+        self.ask(&Modes::default(), &Control::default())
+    }
+
+    /// Runs the model with each model of a joint's clearance, and compares the results.
+    ///
+    /// # Errors
+    /// [`Error::Question`] where there are no such joints, models or columns.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::Compare;
+    /// use linkdyn::prelude::*;
+    ///
+    /// let worn = Mechanism::bundled("slider-crank-clearance")?;
+    /// let compared = worn.compare(&Compare {
+    ///     joints: vec!["wristpin".into()],
+    ///     models: vec!["ideal".into(), "massless_link".into()],
+    ///     ..Compare::default()
+    /// })?;
+    /// assert_eq!(compared.rungs.len(), 2);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn compare(&self, question: &Compare) -> Result<Compared, Error> {
+        self.ask(question, &Control::default())
+    }
+
+    /// What tolerances and clearances do to the outputs of the model's `accuracy`.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where there are no such outputs, [`Error::Failed`] where the mechanism has no position.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::{Accuracy, Levels};
+    /// use linkdyn::prelude::*;
+    ///
+    /// let first = Accuracy { levels: Some(Levels::First), ..Accuracy::default() };
+    /// let deviations = Mechanism::bundled("lock")?.accuracy(&first)?;
+    /// assert!(deviations.found.outputs[0].poses[0].nominal.is_finite());
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn accuracy(&self, question: &Accuracy) -> Result<Deviations, Error> {
+        self.ask(question, &Control::default())
+    }
+
+    /// The cheapest tolerances that keep the limits of outputs.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where nothing has limits or costs, [`Error::Failed`] where the limits can't be kept.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::Allocate;
+    /// use linkdyn::prelude::*;
+    ///
+    /// let refused = Mechanism::bundled("four-bar")?.allocate(&Allocate::default());
+    /// assert!(refused.is_err(), "it says no accuracy");
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn allocate(&self, question: &Allocate) -> Result<Allocation, Error> {
+        self.ask(question, &Control::default())
+    }
+
+    /// Many variants, and what comes out of them; all processors share the work.
+    ///
+    /// # Errors
+    /// [`Error::Question`] where nothing is varied, or the model has no responses.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::{Study, Varied};
+    /// use linkdyn::prelude::*;
+    ///
+    /// let press = Mechanism::bundled("slider-crank")?.set("responses.stroke", "max(piston.x) - min(piston.x)")?;
+    /// let varied = vec![Varied::new("crank", "40 mm:60 mm:5")];
+    /// let studied = press.study(&Study { varied, ..Study::default() })?;
+    /// let stroke = &studied.totals.responses["stroke"].summary;
+    /// assert!((stroke.max.unwrap_or_default() - 0.12).abs() < 1e-9);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn study(&self, question: &Study) -> Result<Studied, Error> {
+        self.ask(question, &Control::default())
+    }
+
+    /// Values of parameters with which goals are met, an objective is least or greatest, or a point takes a path.
+    ///
+    /// # Errors
+    /// [`Error::Model`] or [`Error::Question`] where the question does not fit the model.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::Optimise;
+    /// use linkdyn::prelude::*;
+    ///
+    /// let press = Mechanism::bundled("slider-crank")?;
+    /// let found = press.optimise(&Optimise {
+    ///     vary: vec!["parameters.crank".into()],
+    ///     goals: vec!["max(piston.x) - min(piston.x) = 80 mm".into()],
+    ///     ..Optimise::default()
+    /// })?;
+    /// assert!(found.is_found());
+    /// let (name, crank) = found.values().next().expect("a parameter");
+    /// assert!(name == "crank" && (crank - 0.04).abs() < 1e-9);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn optimise(&self, question: &Optimise) -> Result<Optimised, Error> {
+        self.ask(question, &Control::default())
     }
 }
 

@@ -36,6 +36,15 @@ struct About {
     display: Display,
 }
 
+impl About {
+    fn of(variants: &Variants) -> Self {
+        About {
+            head: variants.head.clone(),
+            display: variants.display.clone(),
+        }
+    }
+}
+
 /// Which files are written besides `variants.csv` and `study.json`; older ones that are not wanted are removed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Files {
@@ -71,10 +80,7 @@ impl Kept {
     /// Says in a directory what the study is, or checks that it is this one.
     pub fn begin(path: &Path, variants: &Variants) -> Result<Self, Error> {
         let directory = Directory::open(path)?;
-        let about = About {
-            head: variants.head.clone(),
-            display: variants.display.clone(),
-        };
+        let about = About::of(variants);
         if directory.path().join(HEAD).exists() {
             expect_same(directory.path(), &about.head)?;
         } else {
@@ -166,7 +172,12 @@ impl Kept {
     }
 }
 
-fn text(document: &impl Serialize) -> String {
+/// What a study is, before anything was computed.
+pub(crate) fn plan(variants: &Variants) -> String {
+    text(&About::of(variants))
+}
+
+pub(crate) fn text(document: &impl Serialize) -> String {
     let text = serde_json::to_string_pretty(document).expect("keys are texts");
     text + "\n"
 }

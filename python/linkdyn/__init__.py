@@ -10,8 +10,8 @@ All numbers are in SI units; ``r.units`` names them.
 """
 
 from ._linkdyn import __version__
+from .answer import Answer
 from .builder import Mechanism
-from .command import Answer
 from .equations import Equations
 from .errors import (
     Complaint,

@@ -1,6 +1,7 @@
 from collections.abc import Callable
+from os import PathLike
 from pathlib import Path
-from typing import Any, Final, final
+from typing import Any, Final, TypeAlias, TypeVar, final
 
 __all__ = [
     "Answers",
@@ -12,11 +13,22 @@ __all__ = [
     "Run",
     "Said",
     "Statuses",
+    "Variants",
     "__version__",
     "_panic",
+    "accuracy",
+    "bundled",
+    "check",
     "command",
+    "compare",
+    "modes",
+    "optimise",
 ]
 __version__: str
+
+_T = TypeVar("_T")
+_Stopped: TypeAlias = tuple[_T | None, BaseException | None]
+_Told: TypeAlias = tuple[str, str, str | None]
 
 @final
 class Mechanism:
@@ -104,6 +116,27 @@ class Family:
     ) -> tuple[Answers, Statuses, tuple[int, str] | None, BaseException | None]: ...
 
 @final
+class Variants:
+    def __new__(
+        cls,
+        model: Mechanism,
+        vary: list[tuple[str, str]],
+        samples: int | None,
+        method: str,
+        indices: bool,
+        seed: int | None,
+        responses: list[str],
+    ) -> Variants: ...
+    def plan(self) -> str: ...
+    def run(
+        self, page: bool, threads: int, told: Callable[[float], object] | None = None
+    ) -> _Stopped[tuple[_Told, list[str], list[tuple[str, str]], Answers]]: ...
+    def share(self, directory: str | PathLike[str], share: tuple[int, int], threads: int) -> _Stopped[bool]: ...
+    def join(
+        self, directory: str | PathLike[str], page: bool, threads: int, told: Callable[[float], object] | None = None
+    ) -> _Stopped[_Told]: ...
+
+@final
 class Said:
     @property
     def status(self) -> int: ...
@@ -113,4 +146,21 @@ class Said:
     def stderr(self) -> str: ...
 
 def command(arguments: list[str]) -> tuple[Said, BaseException | None]: ...
+def check(model: Mechanism) -> _Stopped[_Told]: ...
+def modes(model: Mechanism, pose: bool) -> _Stopped[_Told]: ...
+def accuracy(model: Mechanism, outputs: list[str], levels: str | None, threads: int) -> _Stopped[_Told]: ...
+def compare(model: Mechanism, joints: list[str], models: list[str], columns: list[str]) -> _Stopped[_Told]: ...
+def optimise(
+    model: Mechanism,
+    vary: list[str],
+    goals: list[str],
+    minimise: list[str],
+    maximise: list[str],
+    constraints: list[str],
+    robust: float | None,
+    starts: int | None,
+    seed: int | None,
+    threads: int,
+) -> _Stopped[tuple[_Told, str | None, Mechanism | None]]: ...
+def bundled() -> list[str]: ...
 def _panic(is_watched: bool) -> None: ...

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import json
-import tempfile
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Mapping
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, TypeAlias
 
 from . import _linkdyn
-from .command import Answer, execute, read
+from .answer import Answer, read, whole
 from .equations import Equations
 from .errors import Interrupted, SolveError
-from .family import Family
+from .family import Family, processors
 from .progress import Progress, told
 from .run import Run
-from .study import Study
+from .study import Asked, Study
 
 __all__ = ["Model", "Source", "Value", "load", "models"]
 
@@ -38,9 +36,7 @@ def models() -> list[str]:
     >>> "lock" in linkdyn.models()
     True
     """
-    listed = execute(["models"]).stdout.splitlines()
-    heads = [line.split("  ")[0] for line in listed if line and not line[0].isspace()]
-    return [name for head in heads for name in head.split(", ")]
+    return _linkdyn.bundled()
 
 
 def load(source: Source, allow_files: Iterable[str | PathLike[str]] = ()) -> Model:
@@ -197,17 +193,14 @@ class Model:
         >>> linkdyn.load("four-bar").check()["mobility"]["rank"]
         1
         """
-        with self._arguments() as model:
-            said = execute(["check", "--json", *model])
-            text = execute(["check", *model]).stdout
-        return Answer(json.loads(said.stdout), text)
+        return read(whole(_linkdyn.check(self._core)))
 
     def modes(self, *, pose: bool = False) -> Answer:
         """Natural frequencies, damping ratios and shapes of small motions, as in ``modes.json``.
 
         :param pose: about the assembled position instead of the equilibrium.
         """
-        return self._ask("modes", ["--pose"] if pose else [], "modes.json", "modes.html")
+        return read(whole(_linkdyn.modes(self._core, pose)))
 
     def accuracy(self, outputs: Iterable[str] = (), *, levels: str | None = None, threads: int | None = None) -> Answer:
         """What tolerances and clearances do to outputs, as in ``accuracy.json``.
@@ -216,10 +209,7 @@ class Model:
         :param levels: ``first``, ``worst`` or ``certified``.
         :param threads: one for each processor where nobody says. The answer does not depend on it.
         """
-        options = [word for name in outputs for word in ("--output", name)]
-        options += ["--levels", levels] if levels else []
-        options += ["--threads", str(threads)] if threads else []
-        return self._ask("accuracy", options, "accuracy.json", "report.html")
+        return read(whole(_linkdyn.accuracy(self._core, list(outputs), levels, threads or processors())))
 
     def compare(
         self, joints: str | Iterable[str] = "all", models: Iterable[str] = (), columns: Iterable[str] = ()
@@ -231,10 +221,7 @@ class Model:
         :param columns: patterns of columns to compare.
         """
         names = [joints] if isinstance(joints, str) else list(joints)
-        options = [word for name in names for word in ("--joint", name)]
-        for option, words in (("--models", list(models)), ("--columns", list(columns))):
-            options += [option, ",".join(words)] if words else []
-        return self._ask("compare", options, "compare.json", "compare.html")
+        return read(whole(_linkdyn.compare(self._core, names, list(models), list(columns))))
 
     def optimise(
         self,
@@ -260,26 +247,25 @@ class Model:
         >>> round(longer.parameters["crank"][0], 9)
         0.04
         """
-        options = [
-            word
-            for path, values in (vary or {}).items()
-            for word in ("--vary", _path(path) + (f"={values}" if values else ""))
-        ]
-        many = (("--goal", goals), ("--constraint", constraints))
-        options += [word for option, words in many for text in words for word in (option, text)]
-        one = {
-            "--minimise": minimise,
-            "--maximise": maximise,
-            "--robust": robust,
-            "--starts": starts,
-            "--seed": seed,
-            "--threads": threads,
-        }
-        options += [word for option, value in one.items() if value is not None for word in (option, str(value))]
-        with tempfile.TemporaryDirectory() as folder:
-            best = Path(folder) / "best.json"
-            answer = self._ask("optimise", [*options, "--write", str(best)], "optimise.json", None)
-            return answer, Model._of_text(self._label, best.read_bytes(), [])
+        asked = [_path(path) + (f"={values}" if values else "") for path, values in (vary or {}).items()]
+        least, greatest = ([text] if text is not None else [] for text in (minimise, maximise))
+        told, failure, best = whole(
+            _linkdyn.optimise(
+                self._core,
+                asked,
+                list(goals),
+                least,
+                greatest,
+                list(constraints),
+                robust,
+                starts,
+                seed,
+                threads or processors(),
+            )
+        )
+        if failure is not None or best is None:
+            raise SolveError(failure or "nothing was found")
+        return read(told), Model(best, self._label, best.to_json().encode())
 
     def study(
         self,
@@ -300,30 +286,15 @@ class Model:
         :param indices: draws what Sobol indices need.
         :param responses: numbers that come out of each variant, besides those of the model.
         """
-        options = [word for path, values in (vary or {}).items() for word in ("--vary", f"{_path(path)}={values}")]
-        options += ["--samples", str(samples)] if samples is not None else []
-        options += {"random": [], "sobol": ["--sobol"], "latin": ["--latin"]}[method]
-        options += ["--indices"] if indices else []
-        options += ["--seed", str(seed)] if seed is not None else []
-        options += [word for name, text in (responses or {}).items() for word in ("--response", f"{name} = {text}")]
-        return Study(self, options)
-
-    def _ask(self, command: str, options: list[str], document: str, page: str | None) -> Answer:
-        with self._arguments() as model, tempfile.TemporaryDirectory() as folder:
-            said = execute([command, *model, *options, "-o", folder])
-            return read(Path(folder), document, said.stdout, page)
-
-    @contextmanager
-    def _arguments(self) -> Iterator[list[str]]:
-        """The model as arguments of the command."""
-        sets = [word for text in self._sets for word in ("--set", text)]
-        if self._text is None:
-            yield [self._label, *sets]
-            return
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / f"{self._label}.json"
-            path.write_bytes(self._text)
-            yield [str(path), *sets]
+        asked = Asked(
+            vary=tuple((name, values) for name, values in (vary or {}).items()),
+            samples=samples,
+            method=method,
+            indices=indices,
+            seed=seed,
+            responses=tuple(f"{name} = {text}" for name, text in (responses or {}).items()),
+        )
+        return Study(self, asked)
 
 
 def _restored(label: str, text: bytes | None, sets: tuple[str, ...]) -> Model:
@@ -333,11 +304,6 @@ def _restored(label: str, text: bytes | None, sets: tuple[str, ...]) -> Model:
 
 def _path(name: str) -> str:
     return name if "." in name else f"parameters.{name}"
-
-
-def _text(value: Any) -> str:
-    """A value as the command reads it."""
-    return value if isinstance(value, str) else json.dumps(value, default=_plain)
 
 
 def _plain(value: Any) -> Any:

@@ -1,7 +1,7 @@
 """Studies: many variants of a model, on this machine or on others, with the same bytes either way.
 
-A study is cut into shares (``--shard i/n`` of the command). Each share follows from its number alone, so that it does not
-matter who computes it, how often, or after whom. What is there already is not computed again.
+A study is cut into shares (as by ``--shard i/n`` of the command). Each share follows from its number alone, so that it does
+not matter who computes it, how often, or after whom. What is there already is not computed again.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import re
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
@@ -22,7 +22,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from .command import execute, read
+from . import _linkdyn
+from .answer import Answer, read, whole
+from .errors import Interrupted
+from .family import processors
 from .progress import Progress, told
 from .run import Array
 from .store import Store, is_url
@@ -40,6 +43,9 @@ Backend: TypeAlias = "str | Callable[..., Iterator[object]]"
 # What a spreadsheet would take for a formula has an apostrophe before it in a file.
 _ESCAPED = re.compile(r"'+[=+\-@]")
 
+_ABOUT = ("variant", "status")
+_SHOWN = ("mean", "deviation", "min", "max")
+
 # More shares than chunks: the last one has nothing to do but to say what the study is.
 _MANY = 1 << 40
 
@@ -47,6 +53,43 @@ _MANY = 1 << 40
 def _name(head: str) -> str:
     """The heading that was written as this cell."""
     return head[1:] if _ESCAPED.match(head) else head
+
+
+@dataclass
+class Rows:
+    """The variants of a study as columns."""
+
+    statuses: list[str]
+    units: dict[str, str]
+    columns: dict[str, Array]
+
+    @classmethod
+    def of_answers(cls, statuses: list[str], units: list[tuple[str, str]], answers: _linkdyn.Answers) -> Rows:
+        """Where the library has them in memory."""
+        values = np.asarray(answers)
+        return cls(statuses, dict(units), {name: values[:, place] for place, (name, _) in enumerate(units)})
+
+    @classmethod
+    def of_file(cls, path: Path) -> Rows:
+        """Those of ``variants.csv``."""
+        with path.open(encoding="utf-8", newline="") as file:
+            heads, *rows = csv.reader(file)
+        names = [_name(head).split("[", 1)[0] for head in heads]
+        columns: dict[str, list[str]] = {name: [row[place] for row in rows] for place, name in enumerate(names)}
+        statuses = columns["status"]
+        values = {
+            name: np.array([float(cell) if cell else np.nan for cell in cells])
+            for name, cells in columns.items()
+            if name not in _ABOUT
+        }
+        return cls(statuses, units_of_file(path), values)
+
+
+def units_of_file(path: Path) -> dict[str, str]:
+    """The unit of each column of ``variants.csv``."""
+    with path.open(encoding="utf-8", newline="") as file:
+        heads = (_name(head).partition("[") for head in next(csv.reader(file)))
+        return {name: unit.rstrip("]") for name, _, unit in heads if name not in _ABOUT}
 
 
 class Table(Mapping[str, Array]):
@@ -59,52 +102,32 @@ class Table(Mapping[str, Array]):
     page: str | None
     """The page ``report.html``."""
 
-    def __init__(self, source: str | Path, summary: dict[str, Any], text: str, page: str | None) -> None:
+    def __init__(self, source: Rows | Path, answer: Answer) -> None:
         self._source = source
-        self.summary = summary
-        self.text = text
-        self.page = page
+        self.summary = dict(answer)
+        self.text = answer.text
+        self.page = answer.page
         self.directory = None
 
     @cached_property
-    def _rows(self) -> list[list[str]]:
+    def _rows(self) -> Rows:
         # Of a study that is kept the file is read when it is asked for: it may be larger than the memory.
-        text = self._source if isinstance(self._source, str) else self._source.read_text("utf-8")
-        return list(csv.reader(text.splitlines()))
+        return self._source if isinstance(self._source, Rows) else Rows.of_file(self._source)
 
     @cached_property
-    def _heads(self) -> list[str]:
-        if isinstance(self._source, Path) and "_rows" not in self.__dict__:
-            with self._source.open(encoding="utf-8") as file:
-                return [_name(head) for head in next(csv.reader(file))]
-        return [_name(head) for head in self._rows[0]]
-
-    @cached_property
-    def _columns(self) -> dict[str, Array]:
-        names = [head.split("[", 1)[0] for head in self._heads]
-        rows = self._rows[1:]
-        columns = zip(*rows, strict=True) if rows else ([] for _ in names)
-        kept = {}
-        for name, cells in zip(names, columns, strict=True):
-            if name not in _ABOUT:
-                kept[name] = np.array([float(cell) if cell else np.nan for cell in cells])
-        return kept
-
-    @property
     def status(self) -> NDArray[np.str_]:
         """(variants) how each ended."""
-        place = self._heads.index("status")
-        return np.array([row[place] for row in self._rows[1:]])
+        return np.array(self._rows.statuses)
 
     @property
     def units(self) -> dict[str, str]:
         """The SI unit of each column; empty of plain numbers."""
-        heads = (head.partition("[") for head in self._heads)
-        return {name: unit.rstrip("]") for name, _, unit in heads if name not in _ABOUT}
+        return self._rows.units if isinstance(self._source, Rows) else units_of_file(self._source)
 
     def __getitem__(self, name: str) -> Array:
         """The values (variants) of a response, or of a parameter, with or without ``parameters.`` before it."""
-        return self._columns[name if name in self._columns else f"parameters.{name}"]
+        columns = self._rows.columns
+        return columns[name if name in columns else f"parameters.{name}"]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.units)
@@ -136,8 +159,16 @@ class Table(Mapping[str, Array]):
         return f'{table}<iframe srcdoc="{page}" width="100%" height="720" style="border:0" title="study"></iframe>'
 
 
-_ABOUT = ("variant", "status")
-_SHOWN = ("mean", "deviation", "min", "max")
+@dataclass(frozen=True)
+class Asked:
+    """What a study is asked for."""
+
+    vary: tuple[tuple[str, str], ...] = ()
+    samples: int | None = None
+    method: str = "random"
+    indices: bool = False
+    seed: int | None = None
+    responses: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -154,15 +185,30 @@ class Study:
     """
 
     model: Model
-    options: list[str] = field(default_factory=list)
+    asked: Asked
+
+    @cached_property
+    def _core(self) -> _linkdyn.Variants:
+        asked = self.asked
+        return _linkdyn.Variants(
+            self.model._core,
+            list(asked.vary),
+            asked.samples,
+            asked.method,
+            asked.indices,
+            asked.seed,
+            list(asked.responses),
+        )
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # So that workers of other processes can have it.
+        return Study, (self.model, self.asked)
 
     @cached_property
     def plan(self) -> dict[str, Any]:
         """What the study is, as in ``study.json`` before anything was computed."""
-        with tempfile.TemporaryDirectory() as folder:
-            self.share(_MANY, _MANY, folder)
-            plan: dict[str, Any] = json.loads((Path(folder) / "study.json").read_text("utf-8"))
-            return plan
+        plan: dict[str, Any] = json.loads(self._core.plan())
+        return plan
 
     @property
     def variants(self) -> int:
@@ -183,9 +229,8 @@ class Study:
                 for path in sorted(chunks.iterdir()):
                     store.put(f"chunks/{path.name}", path.read_bytes())
             return
-        options = ["--threads", str(threads)] if threads else []
-        with self.model._arguments() as model:
-            execute(["study", *model, *self.options, *options, "-o", str(directory), "--shard", f"{index}/{of}"])
+        if not whole(self._core.share(directory, (index, of), threads or processors())):
+            raise Interrupted("interrupted")
 
     def chunk_files(self, index: int, of: int) -> list[str]:
         """Names of the files of a share, in the directory ``chunks``."""
@@ -215,6 +260,10 @@ class Study:
         :param settings: more for the backend, see ``linkdyn.backends``.
         :raises Interrupted: where Ctrl-C stopped it.
         """
+        if directory is None and backend == "local":
+            with told(progress, "study") as show:
+                said, statuses, units, values = whole(self._core.run(report, threads or processors(), show))
+            return Table(Rows.of_answers(statuses, units, values), read(said))
         with ExitStack() as stack:
             place = Path(stack.enter_context(tempfile.TemporaryDirectory())) if directory is None else directory
             if is_url(place):
@@ -224,7 +273,7 @@ class Study:
             place = Path(place)
             if backend != "local":
                 self._by_others(place, place, backend, shares, shared, progress, settings)
-            table = self._joined(place, report, threads, is_kept=directory is not None)
+            table = self._joined(place, report, threads, progress, is_kept=directory is not None)
             table.directory = place if directory is not None else None
             return table
 
@@ -252,21 +301,20 @@ class Study:
             for name in sorted(store.names("chunks")):
                 store.fetch(f"chunks/{name}", place)
             fetched = {path: path.stat().st_mtime_ns for path in place.rglob("*.bin")}
-            table = self._joined(place, report, threads, is_kept=False)
+            table = self._joined(place, report, threads, None, is_kept=False)
             for path in sorted(path for path in place.rglob("*") if path.is_file()):
                 if fetched.get(path) != path.stat().st_mtime_ns:
                     store.put(path.relative_to(place).as_posix(), path.read_bytes())
             return table
 
-    def _joined(self, place: Path, report: bool, threads: int | None, *, is_kept: bool) -> Table:
+    def _joined(self, place: Path, report: bool, threads: int | None, progress: Progress, *, is_kept: bool) -> Table:
         """Computes what others left out or broke, and joins all, by the same code whoever computed."""
-        options = ["--threads", str(threads)] if threads else []
-        options += [] if report else ["--no-report"]
-        with self.model._arguments() as model:
-            said = execute(["study", *model, *self.options, *options, "-o", str(place)])
-        answer = read(place, "study.json", said.stdout, "report.html")
+        with told(progress, "study") as show:
+            answer = read(whole(self._core.join(place, report, threads or processors(), show)))
+        if report:
+            answer.page = (place / "report.html").read_text("utf-8")
         path = place / "variants.csv"
-        return Table(path if is_kept else path.read_text("utf-8"), dict(answer), answer.text, answer.page)
+        return Table(path if is_kept else Rows.of_file(path), answer)
 
     def _by_others(
         self,

@@ -64,6 +64,27 @@ pub fn exception(py: Python<'_>, error: &Error) -> PyErr {
             let complaints: Vec<Words> = complaints.iter().map(words).collect();
             return raised(py, "ModelError", (text, complaints));
         }
+        Error::Question(lines) => {
+            let of_line = |line: &String| {
+                (
+                    String::new(),
+                    None,
+                    None,
+                    None,
+                    line.clone(),
+                    None,
+                    line.clone(),
+                )
+            };
+            let complaints: Vec<Words> = lines.iter().map(of_line).collect();
+            return raised(py, "ModelError", (text, complaints));
+        }
+        Error::Failed(_) => "SolveError",
+        Error::Interrupted => "Interrupted",
+        Error::Rows(_) if error.is_unwritten() => {
+            return pyo3::exceptions::PyOSError::new_err(text);
+        }
+        Error::Rows(_) => "ModelError",
         Error::Read { path, cause } => {
             let (path, number) = (path.display().to_string(), cause.raw_os_error());
             return match number {

@@ -3,8 +3,10 @@
 //!
 //! ```text
 //! model text ──► Mechanism ──► Run ──► Column (memory of the run, which NumPy reads in place)
-//!                    └───────► Family ──► Answers
-//! arguments ───► command: what the command does, in this process
+//!                    ├───────► Family ──► Answers
+//!                    ├───────► Answer: JSON, words, a page
+//!                    └───────► Variants: a study
+//! arguments ───► command: the command itself, in this process
 //! ```
 //!
 //! Whatever takes time goes through `work`: without the interpreter's lock, stopped by Ctrl-C, and no panic leaves it.
@@ -17,6 +19,7 @@ mod equations;
 mod errors;
 mod family;
 mod mechanism;
+mod questions;
 mod run;
 mod work;
 mod worker;
@@ -34,6 +37,8 @@ mod _linkdyn {
     use super::family::Family;
     #[pymodule_export]
     use super::mechanism::Mechanism;
+    #[pymodule_export]
+    use super::questions::{Variants, accuracy, bundled, check, compare, modes, optimise};
     #[pymodule_export]
     use super::run::{Column, Run};
     #[pymodule_export]

@@ -142,16 +142,25 @@ impl Mechanism {
 }
 
 impl Mechanism {
+    /// The same for another thread.
+    pub fn own(&self) -> linkdyn::Mechanism {
+        self.mechanism.clone()
+    }
+
+    pub fn of(mechanism: linkdyn::Mechanism) -> Self {
+        Mechanism {
+            mechanism,
+            is_brief: AtomicBool::new(false),
+        }
+    }
+
     fn new(
         py: Python<'_>,
         make: impl FnOnce() -> Result<linkdyn::Mechanism, linkdyn::Error> + Send,
     ) -> PyResult<Self> {
         let made = at_once(py, make)?;
-        let mechanism = made.map_err(|error| exception(py, &error))?;
-        Ok(Mechanism {
-            mechanism,
-            is_brief: AtomicBool::new(false),
-        })
+        let made = made.map_err(|error| exception(py, &error))?;
+        Ok(Mechanism::of(made))
     }
 }
 

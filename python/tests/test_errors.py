@@ -57,7 +57,7 @@ def test_bad_questions_are_told_in_the_words_of_the_command() -> None:
         linkdyn.load("four-bar").accuracy(["nothing"])
     said, _ = _linkdyn.command(["accuracy", "four-bar", "--output", "nothing"])
     assert [one.text for one in caught.value.complaints] == [
-        line.removeprefix("error: ") for line in said.stderr.splitlines()
+        line.removeprefix("error: four-bar: ") for line in said.stderr.splitlines()
     ]
 
 

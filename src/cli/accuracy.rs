@@ -13,6 +13,7 @@ use super::progress::Line;
 use super::streams::{print_with, tell};
 use super::threads::threads;
 use super::{interrupt, replaced};
+use linkdyn_ask::Question;
 use linkdyn_ask::accuracy::{Accuracy, Deviations};
 use linkdyn_engine::analysis::accuracy::Levels;
 use linkdyn_output::{Directory, WriteError};

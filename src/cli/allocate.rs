@@ -8,6 +8,7 @@ use super::exit::{Exit, Failure};
 use super::interrupt;
 use super::open::ModelOptions;
 use super::streams::{tell, tell_json};
+use linkdyn_ask::Question;
 use linkdyn_ask::allocate::Allocate;
 use linkdyn_output::replace;
 

@@ -5,11 +5,12 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::exit::{Exit, Failure};
+use super::interrupt;
 use super::open::{ModelOptions, bad_input};
 use super::streams::{complain, tell, tell_json};
-use linkdyn_ask::ModelFile;
-use linkdyn_ask::check::{check, refused_html};
+use linkdyn_ask::check::{Check, refused_html};
 use linkdyn_ask::text::Page;
+use linkdyn_ask::{ModelFile, Question};
 use linkdyn_model::error::Complaints;
 use linkdyn_output::Directory;
 
@@ -51,14 +52,16 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         }
     };
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
-    let found = check(&file).map_err(|why| options.model.refuse(why))?;
+    let found = Check
+        .answer(&file, &interrupt::control())
+        .map_err(|why| options.model.refuse(why))?;
     let written = directory.map(|directory| directory.write(PAGE, found.html().as_bytes()));
     let written = written.transpose()?;
     match options.json {
         true => tell_json(&found)?,
         false => tell(found.text(), written.as_slice())?,
     }
-    let check = found.check;
+    let check = found.found;
     for fault in &check.faults {
         complain(&format!("{}: {fault}", text.label));
     }

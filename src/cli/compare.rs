@@ -63,7 +63,7 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         let progress = control.progress.clone();
         Line::start(Instant::now(), model, move || progress.share())
     };
-    let found = question.answer(&file, &control, begin);
+    let found = question.answer_model_by_model(&file, &control, begin);
     let found = found.map_err(|why| options.model.refuse(why))?;
     let written = match &directory {
         Some(directory) => write_all(directory, &found)?,

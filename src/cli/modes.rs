@@ -10,6 +10,7 @@ use super::interrupt;
 use super::open::ModelOptions;
 use super::progress::Line;
 use super::streams::{complain, json, tell, tell_json};
+use linkdyn_ask::Question;
 use linkdyn_ask::modes::Modes;
 use linkdyn_output::{Directory, csv};
 

@@ -12,7 +12,6 @@ use linkdyn_ask::{ModelFile, Text};
 use linkdyn_model::bundled::{self, NotBundled};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{Beside, Loaded};
-use linkdyn_study::chunks::ChunkFault;
 
 /// The model and what is changed in it.
 #[derive(Debug, Args)]
@@ -82,9 +81,7 @@ pub fn refuse(label: &str, why: Error) -> Failure {
         Error::Question(lines) => BadInput(lines),
         Error::Failed(line) => Failure::Stopped(line),
         Error::Write(error) => error.into(),
-        Error::Rows(fault @ (ChunkFault::Write { .. } | ChunkFault::Join(_))) => {
-            Failure::Unwritten(fault.to_string())
-        }
+        Error::Rows(_) if why.is_unwritten() => Failure::Unwritten(why.to_string()),
         other => BadInput(vec![other.to_string()]),
     }
 }

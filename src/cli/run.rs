@@ -14,8 +14,9 @@ use super::progress::Line;
 use super::streams::{complain, print, print_with, remark};
 use super::watch::watch;
 use super::{interrupt, replaced};
+use linkdyn_ask::run::{Run, text};
 use linkdyn_ask::text::{Page, seconds};
-use linkdyn_ask::{self as ask, ModelFile, with_responses};
+use linkdyn_ask::{ModelFile, Question, with_responses};
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_output::{Directory, Stage, csv};
 
@@ -106,7 +107,7 @@ fn once(options: &Options) -> Result<Exit, Failure> {
     let control = interrupt::control();
     let progress = control.progress.clone();
     let line = Line::start(Instant::now(), file.name(), move || progress.share());
-    let outcome = ask::run::run(&file, &control);
+    let outcome = Run.answer(&file, &control);
     drop(line);
     let outcome = outcome.map_err(|why| model.refuse(why))?;
     let written = match &target {
@@ -144,7 +145,7 @@ fn once(options: &Options) -> Result<Exit, Failure> {
 
 /// The run in words, with what was written and how long that took.
 fn page(file: &ModelFile, outcome: &Outcome, written: &Written) -> Page {
-    let mut page = ask::run::text(file, outcome);
+    let mut page = text(file, outcome);
     let paths = written.paths.iter().map(|path| path.display().to_string());
     page.rows("written", paths);
     let report = &outcome.report;

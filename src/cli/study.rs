@@ -181,7 +181,7 @@ fn compute(
     control: &Control,
 ) -> Result<Done, Error> {
     let Some(path) = &options.directory else {
-        let studied = variants.answer(control);
+        let studied = variants.answer(control, |_| ());
         return Ok(studied.map(|studied| (studied, Vec::new())));
     };
     let kept = Kept::begin(path, variants)?;

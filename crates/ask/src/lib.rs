@@ -23,12 +23,14 @@ pub mod text;
 mod broken;
 mod model_file;
 mod put;
+mod question;
 mod scatter;
 mod unanswered;
 
 pub use broken::caught;
 pub use model_file::{ModelFile, Subject, Text, Varying};
 pub use put::{Put, read, with_responses};
+pub use question::Question;
 pub use unanswered::Unanswered;
 
 /// The version that answers.

@@ -16,6 +16,9 @@ pub enum Unanswered {
     /// The solver cannot continue: why, in a sentence or two.
     #[error("{0}")]
     Failed(String),
+    /// It was interrupted before it had an answer.
+    #[error("interrupted")]
+    Interrupted,
     /// Rows of a study can't be kept or read.
     #[error(transparent)]
     Rows(#[from] ChunkFault),

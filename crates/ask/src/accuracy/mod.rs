@@ -14,7 +14,7 @@ use linkdyn_engine::analysis::accuracy::{
 };
 use linkdyn_model::{Checked, Parameter};
 
-use crate::{ModelFile, Unanswered};
+use crate::{ModelFile, Question, Unanswered};
 
 /// Asks what tolerances and clearances do to outputs.
 #[derive(Debug, Clone, Default)]
@@ -36,15 +36,15 @@ pub struct Deviations {
     pub found: Found,
 }
 
-impl Accuracy {
-    /// Works out what tolerances and clearances do.
-    ///
-    /// # Errors
-    /// Outputs that there are not; a model that can't be put together.
-    pub fn answer(&self, file: &ModelFile, control: &Control) -> Result<Deviations, Unanswered> {
+impl Question for Accuracy {
+    type Answer = Deviations;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Deviations, Unanswered> {
         self.answer_with(file, &file.loaded.parameters, control)
     }
+}
 
+impl Accuracy {
     /// The same with other tolerances of the parameters.
     pub(crate) fn answer_with(
         &self,

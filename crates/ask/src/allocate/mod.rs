@@ -10,7 +10,7 @@ use linkdyn_model::error::Complaint;
 use linkdyn_model::{Parameter, Tolerance};
 
 use crate::accuracy::{Accuracy, Deviations};
-use crate::{ModelFile, Unanswered};
+use crate::{ModelFile, Question, Unanswered};
 use text::quantity;
 
 /// Most rounds in which limits are narrowed until the worst case keeps them.
@@ -56,16 +56,16 @@ struct Chosen {
     half: f64,
 }
 
-impl Allocate {
-    /// Chooses the tolerances.
-    ///
-    /// # Errors
-    /// Outputs that there are not; no limits, no costs; limits that can't be kept.
-    pub fn answer(&self, file: &ModelFile, control: &Control) -> Result<Allocation, Unanswered> {
+impl Question for Allocate {
+    type Answer = Allocation;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Allocation, Unanswered> {
         let first = self.accuracy(Levels::First).answer(file, control)?;
         self.choose(file, first, control)
     }
+}
 
+impl Allocate {
     /// The outputs, whatever levels the model asks for.
     fn accuracy(&self, levels: Levels) -> Accuracy {
         Accuracy {
@@ -138,6 +138,12 @@ impl Allocate {
 }
 
 impl Allocation {
+    /// The parameters with a cost, and the half widths of their tolerances \[SI\].
+    pub fn tolerances(&self) -> impl Iterator<Item = (&str, f64)> {
+        let chosen = self.chosen.iter();
+        chosen.map(|own| (own.parameter.name.as_str(), own.half))
+    }
+
     /// The model with these tolerances.
     ///
     /// # Errors

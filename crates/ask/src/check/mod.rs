@@ -7,7 +7,7 @@ mod tolerances;
 mod words;
 
 use indexmap::IndexMap;
-use linkdyn_engine::analysis::{self, Check};
+use linkdyn_engine::analysis::{self, Check as Found, Control};
 use linkdyn_model::AnalysisKind;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Mobility, Status};
@@ -16,9 +16,13 @@ use serde_json::Value;
 
 use crate::text::responses::{Expression, expressions};
 use crate::text::words::{analysis_words, status_words};
-use crate::{ModelFile, Subject, Unanswered};
+use crate::{ModelFile, Question, Subject, Unanswered};
 
 pub use refused::html as refused_html;
+
+/// Asks what is wrong or odd in a model: assembles it, and counts, without running it.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Check;
 
 /// What was found in a model.
 #[derive(Debug, Clone)]
@@ -26,30 +30,30 @@ pub struct Diagnosis {
     /// The model.
     pub file: ModelFile,
     /// What the engine found.
-    pub check: Check,
+    pub found: Found,
     /// What looks like a slip, with its place.
     pub suspicious: Vec<String>,
 }
 
-/// Assembles and diagnoses a model.
-///
-/// # Errors
-/// A model that can't be compiled.
-pub fn check(file: &ModelFile) -> Result<Diagnosis, Unanswered> {
-    let check = analysis::check(file.model());
-    let mut check = check.map_err(|complaints| file.refused(complaints))?;
-    let suspicious = suspicious(file, &mut check);
-    let warnings = file.loaded.warnings.iter().chain(&suspicious).cloned();
-    check.warnings.splice(0..0, warnings);
-    Ok(Diagnosis {
-        file: file.clone(),
-        check,
-        suspicious,
-    })
+impl Question for Check {
+    type Answer = Diagnosis;
+
+    fn answer(&self, file: &ModelFile, _: &Control) -> Result<Diagnosis, Unanswered> {
+        let found = analysis::check(file.model());
+        let mut found = found.map_err(|complaints| file.refused(complaints))?;
+        let suspicious = suspicious(file, &mut found);
+        let warnings = file.loaded.warnings.iter().chain(&suspicious).cloned();
+        found.warnings.splice(0..0, warnings);
+        Ok(Diagnosis {
+            file: file.clone(),
+            found,
+            suspicious,
+        })
+    }
 }
 
 /// What looks like a slip, with its place.
-fn suspicious(file: &ModelFile, check: &mut Check) -> Vec<String> {
+fn suspicious(file: &ModelFile, check: &mut Found) -> Vec<String> {
     let angle = file.loaded.document.pointer("/units/angle");
     let degrees = angle.and_then(Value::as_str) == Some("deg");
     let mut found = analysis::suspicious(file.model(), degrees);
@@ -68,9 +72,9 @@ fn suspicious(file: &ModelFile, check: &mut Check) -> Vec<String> {
 impl Diagnosis {
     /// The verdict in a word.
     pub fn verdict(&self) -> String {
-        match self.check.status {
-            _ if !self.check.refused.is_empty() => "refused".into(),
-            Status::Completed if self.check.faults.is_empty() => "sound".into(),
+        match self.found.status {
+            _ if !self.found.refused.is_empty() => "refused".into(),
+            Status::Completed if self.found.faults.is_empty() => "sound".into(),
             Status::Completed => "faulty".into(),
             other => status_words(other),
         }
@@ -134,7 +138,7 @@ struct Document<'a> {
 /// The diagnosis for programs.
 impl Serialize for Diagnosis {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (model, check) = (self.file.model(), &self.check);
+        let (model, check) = (self.file.model(), &self.found);
         let word = |kind: &AnalysisKind| analysis_words(*kind).replace(' ', "_");
         let parameters = self.file.loaded.parameters.iter();
         let missing = check.missing.iter();
@@ -175,7 +179,7 @@ impl Serialize for Diagnosis {
     }
 }
 
-fn mobility(check: &Check) -> MobilityJson<'_> {
+fn mobility(check: &Found) -> MobilityJson<'_> {
     let Mobility {
         grubler,
         rank,

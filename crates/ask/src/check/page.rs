@@ -18,8 +18,8 @@ use crate::text::words::mobility;
 
 /// The page of a model that was checked.
 pub fn html(diagnosis: &Diagnosis) -> String {
-    let (model, check) = (diagnosis.file.model(), &diagnosis.check);
-    let pose = pose(model, check);
+    let (model, check) = (diagnosis.file.model(), &diagnosis.found);
+    let pose = pose(model, &check.poses);
     let shape = for_table(model, &table(model, &pose));
     let mut found = Finder {
         shape: &shape,
@@ -64,10 +64,10 @@ pub fn html(diagnosis: &Diagnosis) -> String {
 }
 
 /// Places of all bodies, the ground first: as they assemble, else as they are drawn in the model.
-fn pose(model: &Checked, check: &Check) -> Vec<Pose> {
+pub fn pose(model: &Checked, assembled: &[(String, Pose)]) -> Vec<Pose> {
     let moving = Shape::of_model(model).bodies.into_iter().skip(1);
     let of = |name: &str| {
-        let assembled = check.poses.iter().find(|(body, _)| body == name);
+        let assembled = assembled.iter().find(|(body, _)| body == name);
         let drawn = model.bodies.get(name).map(|body| {
             let [x, y] = body.pose.position;
             [x, y, body.pose.angle]

@@ -4,14 +4,13 @@
 
 use serde_json::{Map, Value};
 
-use super::page::{Finder, table};
+use super::page::{Finder, pose, table};
 use crate::Text;
 use crate::shape::for_table;
 use linkdyn_model::Checked;
 use linkdyn_model::error::Complaints;
 use linkdyn_picture::Shape;
 use linkdyn_picture::diagnosis::{Diagnosis, Severity, page, page_of_text};
-use linkdyn_picture::poses::Pose;
 
 /// How often something is taken out: what is left may miss what was taken.
 const ROUNDS: usize = 12;
@@ -26,7 +25,7 @@ pub fn html(text: &Text, complaints: &Complaints) -> String {
     let document: Option<Value> = serde_json::from_slice(bytes).ok();
     let drawn = document.as_ref().and_then(drawable);
     let shape = match &drawn {
-        Some(model) => for_table(model, &table(model, &pose(model))),
+        Some(model) => for_table(model, &table(model, &pose(model, &[]))),
         None => Shape::default(),
     };
     let mut found = Finder {
@@ -59,26 +58,12 @@ pub fn html(text: &Text, complaints: &Complaints) -> String {
         findings: found.findings,
     };
     match &drawn {
-        Some(model) => page(shape.clone(), &pose(model), &diagnosis),
+        Some(model) => page(shape.clone(), &pose(model, &[]), &diagnosis),
         None => {
             let line = line(complaints);
             page_of_text(&diagnosis, &excerpt(bytes, line.unwrap_or(1)), line)
         }
     }
-}
-
-/// Where the model draws its bodies, the ground first.
-fn pose(model: &Checked) -> Vec<Pose> {
-    let moving = Shape::of_model(model).bodies.into_iter().skip(1);
-    let of = |name: &str| {
-        let drawn = model.bodies.get(name).map(|body| {
-            let [x, y] = body.pose.position;
-            [x, y, body.pose.angle]
-        });
-        drawn.unwrap_or_default()
-    };
-    let moving = moving.map(|body| of(&body.name));
-    std::iter::once([0.0; 3]).chain(moving).collect()
 }
 
 /// What is left of a model without what is wrong in it; none where that is no model.

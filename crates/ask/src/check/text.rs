@@ -13,7 +13,7 @@ const WIDTH: usize = 96;
 impl Diagnosis {
     /// The diagnosis in words.
     pub fn text(&self) -> Page {
-        let (file, check) = (&self.file, &self.check);
+        let (file, check) = (&self.file, &self.found);
         let model = file.model();
         let mut page = Page::default();
         page.line(format!(

@@ -14,7 +14,7 @@ use linkdyn_engine::analysis::{Control, Outcome};
 use linkdyn_output::comparison::Comparison;
 use linkdyn_output::{Column, Extremes, Trajectory};
 
-use crate::{ModelFile, Unanswered};
+use crate::{ModelFile, Question, Unanswered};
 use columns::{compare, curves};
 pub use figures::Figure;
 use question::{joints, models};
@@ -58,12 +58,20 @@ pub struct Rung {
     pub ran: Result<(ModelFile, Outcome), String>,
 }
 
+impl Question for Compare {
+    type Answer = Compared;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Compared, Unanswered> {
+        self.answer_model_by_model(file, control, |_| ())
+    }
+}
+
 impl Compare {
-    /// Runs with each model, and compares; `begin` is told the model that is run.
+    /// The same; `begin` is called with each model before it is run, and what it gives is dropped after that.
     ///
     /// # Errors
     /// Joints, models or columns that there are not; none of the models can be run.
-    pub fn answer<T>(
+    pub fn answer_model_by_model<T>(
         &self,
         file: &ModelFile,
         control: &Control,

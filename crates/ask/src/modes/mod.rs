@@ -12,7 +12,7 @@ use linkdyn_picture::Fault;
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
-use crate::{ENGINE, ModelFile, Subject, Unanswered};
+use crate::{ENGINE, ModelFile, Question, Subject, Unanswered};
 
 /// Asks for the modes of a model.
 #[derive(Debug, Clone, Copy, Default)]
@@ -32,12 +32,10 @@ pub struct SmallMotions {
     pub found: Linearised,
 }
 
-impl Modes {
-    /// Linearises the model.
-    ///
-    /// # Errors
-    /// A model that can't be compiled.
-    pub fn answer(self, file: &ModelFile, control: &Control) -> Result<SmallMotions, Unanswered> {
+impl Question for Modes {
+    type Answer = SmallMotions;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<SmallMotions, Unanswered> {
         let found = analysis::modes(file.model(), self.pose, control);
         let mut found = found.map_err(|complaints| file.refused(complaints))?;
         let warnings = file.loaded.warnings.iter().cloned();

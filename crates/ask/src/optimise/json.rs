@@ -6,8 +6,8 @@ use serde::{Serialize, Serializer};
 
 use super::optimised::Optimised;
 use super::problem::Measured;
-use super::question::{Aim, Question};
 use super::search::Ended;
+use super::target::{Aim, Target};
 use crate::{ENGINE, Varying};
 
 #[derive(Serialize)]
@@ -254,7 +254,7 @@ impl Optimised {
     }
 }
 
-fn table(question: &Question, ended: &[&Ended]) -> String {
+fn table(question: &Target, ended: &[&Ended]) -> String {
     let mut out = String::from("start,evaluation,status");
     for own in &question.variables {
         out += &format!(

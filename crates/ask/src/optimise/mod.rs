@@ -3,7 +3,7 @@
 //! | file        | does                                                                  |
 //! | ----------- | --------------------------------------------------------------------- |
 //! | `asked`     | what is asked for, put into the model's `optimise`                    |
-//! | `question`  | what is looked for                                                    |
+//! | `target`    | what is looked for                                                    |
 //! | `variants`  | what a variant gives: the one place where the search meets the engine |
 //! | `guarded`   | variants among which one with a fault of linkdyn has no value         |
 //! | `path`      | the model whose motion gives a path, and its nodes                    |
@@ -21,9 +21,9 @@ mod json;
 mod optimised;
 mod path;
 mod problem;
-mod question;
 mod search;
 mod slopes;
+mod target;
 mod text;
 mod timing;
 mod variants;
@@ -32,11 +32,10 @@ use std::sync::Arc;
 
 use linkdyn_engine::analysis::Control;
 
-use crate::{ModelFile, Text, Unanswered};
-use guarded::Guarded;
+use crate::{ModelFile, Question, Text, Unanswered};
 pub use optimised::Optimised;
-use question::Question;
 use search::Search;
+use target::Target;
 use timing::Timing;
 use variants::{Found, Runs};
 
@@ -65,7 +64,7 @@ pub struct Optimise {
 pub struct Optimisation {
     /// The model with what is asked for.
     pub file: ModelFile,
-    question: Question,
+    target: Target,
     timing: Option<Timing>,
     runs: Runs,
     control: Control,
@@ -83,17 +82,26 @@ impl Optimise {
         control: &Control,
     ) -> Result<Optimisation, Unanswered> {
         let plain = self.read(text, sets)?;
-        let (question, file) = Question::new(&plain)?;
-        let timing = Timing::new(&plain, &question)?;
+        let (target, file) = Target::new(&plain)?;
+        let timing = Timing::new(&plain, &target)?;
         let interrupted = Arc::clone(&control.interrupted);
-        let runs = Runs::new(&question, &file, &plain, timing.as_ref(), interrupted)?;
+        let runs = Runs::new(&target, &file, &plain, timing.as_ref(), interrupted)?;
         Ok(Optimisation {
             file,
-            question,
+            target,
             timing,
             runs,
             control: control.clone(),
         })
+    }
+}
+
+/// Threads of rayon share the starts.
+impl Question for Optimise {
+    type Answer = Optimised;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Optimised, Unanswered> {
+        self.of(&file.text, &file.sets, control)?.answer(false)
     }
 }
 
@@ -104,8 +112,8 @@ impl Optimisation {
     /// More parameters than the starts can be spread over.
     pub fn answer(self, is_kept: bool) -> Result<Optimised, Unanswered> {
         let mut search = Search {
-            question: &self.question,
-            variants: &Guarded(&self.runs),
+            question: &self.target,
+            runs: &self.runs,
             timing: self.timing.as_ref(),
             scales: Vec::new(),
             keep: is_kept,
@@ -118,7 +126,7 @@ impl Optimisation {
         let scales = search.scales;
         Ok(Optimised::new(
             self.file,
-            self.question,
+            self.target,
             ended,
             scales,
             missing,

@@ -4,9 +4,9 @@ use linkdyn_model::Unit;
 use linkdyn_model::optimise::Relation;
 
 use super::problem::Measured;
-use super::question::{Aim, Question, Variable};
 use super::search::Ended;
 use super::slopes::Derivatives;
+use super::target::{Aim, Target, Variable};
 use crate::{ModelFile, Unanswered};
 
 /// A violation below this part of a constraint's sides keeps it.
@@ -29,7 +29,7 @@ const DIGITS: usize = 12;
 pub struct Optimised {
     /// The model, as it is.
     pub file: ModelFile,
-    pub(super) question: Question,
+    pub(super) question: Target,
     /// The starts, of which the best comes first.
     pub(super) starts: Vec<Ended>,
     /// How many starts reach the best value.
@@ -47,7 +47,7 @@ impl Optimised {
     /// Of all starts.
     pub(super) fn new(
         file: ModelFile,
-        question: Question,
+        question: Target,
         mut starts: Vec<Ended>,
         scales: Vec<f64>,
         missing: Option<String>,
@@ -218,6 +218,19 @@ impl Optimised {
                 "no variant was found that keeps all constraints; this is the nearest".to_owned()
             }
         })
+    }
+
+    /// Whether what was looked for was found.
+    pub fn is_found(&self) -> bool {
+        self.found().is_some()
+    }
+
+    /// The best values of the parameters that may change \[SI\], or the nearest; none where no variant has a result.
+    pub fn values(&self) -> impl Iterator<Item = (&str, f64)> {
+        let best = self.best().into_iter().flat_map(|(best, _)| &best.x);
+        let variables = self.question.variables.iter();
+        let values = variables.zip(best);
+        values.map(|(own, x)| (own.parameter.name.as_str(), *x))
     }
 
     /// The model with what was found, everything else as it is; none where nothing was found.

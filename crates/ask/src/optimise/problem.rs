@@ -1,9 +1,10 @@
 //! A variant as the search sees it: an objective, how far constraints are off, how far a path is from its points.
 
-use super::question::{Aim, Question};
+use super::guarded::Guarded;
 use super::slopes::{Derivatives, Last};
+use super::target::{Aim, Target};
 use super::timing::Timing;
-use super::variants::{Call, Detail, Found, Variant};
+use super::variants::{Call, Detail, Found, Share};
 use linkdyn_model::optimise::Relation;
 use linkdyn_optimise::Outcome;
 use linkdyn_optimise::curve::{Node, foot, place};
@@ -35,8 +36,8 @@ pub struct Record {
 
 /// What a start has before it.
 pub struct Problem<'p> {
-    pub question: &'p Question,
-    pub variant: Box<dyn Variant + 'p>,
+    pub question: &'p Target,
+    pub variant: Guarded<'p, Share<'p>>,
     pub timing: Option<&'p Timing>,
     /// Size of each constraint's sides.
     pub scales: &'p [f64],
@@ -54,7 +55,7 @@ pub struct Problem<'p> {
     pub last: Last,
 }
 
-impl Question {
+impl Target {
     /// What each constraint wants of its scaled difference.
     pub fn kinds(&self) -> Vec<Kind> {
         let all = self.constraints.iter();
@@ -118,7 +119,8 @@ impl Problem<'_> {
         if self.question.curve.is_some() {
             self.runs += 1;
             self.last.path = None;
-            match self.variant.path(x, self.detail, self.call) {
+            let (detail, call) = (self.detail, self.call);
+            match self.variant.find(|own| own.path(x, detail, call)) {
                 Found::Some(nodes) => match self.distances(&nodes) {
                     Some(distances) => {
                         measured.distances = distances;
@@ -137,7 +139,8 @@ impl Problem<'_> {
         }
         self.runs += 1;
         self.last.numbers = Some(x.to_vec());
-        let all = match self.variant.numbers(x, self.call) {
+        let call = self.call;
+        let all = match self.variant.find(|own| own.numbers(x, call)) {
             Found::Some(all) => all,
             // A path is one even where the model's own analysis has no end.
             Found::None(_) if self.question.aim == Aim::Curve => return Found::Some(measured),
@@ -176,7 +179,11 @@ impl Problem<'_> {
             let mut ends = [0.0; 2];
             for (end, by) in ends.iter_mut().zip([*sigma, -sigma]) {
                 self.runs += 1;
-                match self.variant.deviating(x, (number, by), self.call) {
+                let call = self.call;
+                let found = self
+                    .variant
+                    .find(|own| own.deviating(x, (number, by), call));
+                match found {
                     Found::Some(all) => *end = all[0],
                     Found::None(why) => return Found::None(why),
                     Found::Stopped => return Found::Stopped,

@@ -1,10 +1,11 @@
 //! The starts: each a search of its own, all at once, the same whichever thread runs them.
 
+use super::guarded::Guarded;
 use super::problem::{Measured, Problem, Record};
-use super::question::{Aim, Question};
 use super::slopes::{Derivatives, Last, Searched};
+use super::target::{Aim, Target};
 use super::timing::Timing;
-use super::variants::{Call, Detail, Found, Variants};
+use super::variants::{Call, Detail, Found, Runs};
 use linkdyn_engine::analysis::Progress;
 use linkdyn_optimise::constrained::{self, Optimum};
 use linkdyn_optimise::least_squares::{self, Fitted, least_squares};
@@ -41,8 +42,8 @@ pub struct Ended {
 
 /// What all starts share.
 pub struct Search<'s> {
-    pub question: &'s Question,
-    pub variants: &'s dyn Variants,
+    pub question: &'s Target,
+    pub runs: &'s Runs,
     pub timing: Option<&'s Timing>,
     pub scales: Vec<f64>,
     pub keep: bool,
@@ -120,7 +121,7 @@ impl Search<'_> {
     pub fn problem(&self, detail: Detail, keep: bool) -> Problem<'_> {
         Problem {
             question: self.question,
-            variant: self.variants.begin(),
+            variant: Guarded::new(|| self.runs.begin()),
             timing: self.timing,
             scales: &self.scales,
             extent: self.question.extent(),

@@ -1,7 +1,7 @@
 //! The derivatives of what the search sees: exact where the engine knows them, else left to differences.
 
 use super::problem::Problem;
-use super::question::Aim;
+use super::target::Aim;
 use linkdyn_model::optimise::Relation;
 use linkdyn_optimise::curve::{Node, foot, place};
 use linkdyn_optimise::{Evaluate, Outcome};
@@ -142,7 +142,8 @@ impl Problem<'_> {
         if self.last.numbers.as_deref() != Some(x) {
             self.measure(x);
         }
-        self.variant.slopes(x, lengths)
+        let slopes = self.variant.ask(|own| own.slopes(x, lengths));
+        slopes.unwrap_or_else(|_| vec![f64::NAN; self.question.numbers() * x.len()])
     }
 
     /// Of the objective, with what tolerances add.
@@ -169,12 +170,13 @@ impl Problem<'_> {
         let (mut squares, mut sum) = (0.0, vec![0.0; x.len()]);
         for (number, (_, sigma)) in scatter.iter().enumerate() {
             self.runs += 2;
-            let [(high, up), (low, down)] = [
-                self.variant
-                    .deviating_slopes(x, (number, *sigma), lengths)?,
-                self.variant
-                    .deviating_slopes(x, (number, -sigma), lengths)?,
-            ];
+            let mut at = |by: f64| {
+                let found = self
+                    .variant
+                    .ask(|own| own.deviating_slopes(x, (number, by), lengths));
+                found.ok().flatten()
+            };
+            let [(high, up), (low, down)] = [at(*sigma)?, at(-sigma)?];
             let secant = 0.5 * (high - low);
             squares += secant * secant;
             for (sum, (up, down)) in sum.iter_mut().zip(up.iter().zip(&down)) {
@@ -216,7 +218,8 @@ impl Problem<'_> {
         let Some(timing) = self.timing else {
             let feet: Vec<_> = through.iter().map(|point| foot(nodes, *point)).collect();
             let times: Vec<f64> = feet.iter().map(|foot| foot.s).collect();
-            let slopes = self.variant.path_slopes(x, lengths, &times)?;
+            let slopes = self.variant.ask(|own| own.path_slopes(x, lengths, &times));
+            let slopes = slopes.ok().flatten()?;
             let each = feet.iter().zip(slopes.chunks_exact(2 * n));
             let of = |(foot, own): (&linkdyn_optimise::curve::Foot, &[f64])| -> Vec<f64> {
                 let [a, b] = foot.normal;
@@ -229,6 +232,9 @@ impl Problem<'_> {
             .times
             .iter()
             .try_for_each(|time| place(nodes, *time).map(|_| ()))?;
-        self.variant.path_slopes(x, lengths, &timing.times)
+        let slopes = self
+            .variant
+            .ask(|own| own.path_slopes(x, lengths, &timing.times));
+        slopes.ok().flatten()
     }
 }

@@ -5,8 +5,8 @@ use linkdyn_model::optimise::Relation;
 
 use super::optimised::Optimised;
 use super::problem::Measured;
-use super::question::Aim;
 use super::search::Ended;
+use super::target::Aim;
 use crate::text::responses::value;
 use crate::text::{Page, count, number};
 

@@ -6,7 +6,7 @@ use linkdyn_engine::analysis::{Control, Prepared};
 use linkdyn_model::{DriverKind, Model, PointRef};
 use serde_json::json;
 
-use super::question::Question;
+use super::target::Target;
 use crate::{ModelFile, Unanswered};
 
 /// A driver that turns or slides by one unit a second, so that time says where it stands.
@@ -30,7 +30,7 @@ impl Timing {
     ///
     /// # Errors
     /// A model that can't be put together as it is, and values that lie on both sides of where a slide starts.
-    pub fn new(file: &ModelFile, question: &Question) -> Result<Option<Self>, Unanswered> {
+    pub fn new(file: &ModelFile, question: &Target) -> Result<Option<Self>, Unanswered> {
         let Some((curve, at)) = question
             .curve
             .as_ref()

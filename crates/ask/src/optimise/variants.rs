@@ -10,7 +10,7 @@ use linkdyn_optimise::curve::Node;
 use linkdyn_output::Status;
 
 use super::path::{Path, nodes};
-use super::question::Question;
+use super::target::Target;
 use super::timing::{Timing, sets};
 use crate::text::words::input_fault;
 use crate::{ModelFile, Unanswered};
@@ -46,35 +46,7 @@ pub enum Call {
     Last,
 }
 
-/// The variants of a model by the values of its parameters [SI]; what they give depends on these alone.
-pub trait Variants: Sync {
-    /// Begins, for one start.
-    fn begin(&self) -> Box<dyn Variant + '_>;
-}
-
-/// One start's share of them.
-pub trait Variant {
-    /// The numbers that the search needs, then the responses of the model, NaN where these have no value.
-    fn numbers(&mut self, x: &[f64], call: Call) -> Found<Vec<f64>>;
-    /// The same where a parameter that scatters deviates from what it has there: its number, and by how much.
-    fn deviating(&mut self, x: &[f64], deviation: (usize, f64), call: Call) -> Found<Vec<f64>>;
-    /// The first of these numbers there, and its derivatives by the parameters.
-    fn deviating_slopes(
-        &mut self,
-        x: &[f64],
-        deviation: (usize, f64),
-        lengths: &[f64],
-    ) -> Option<(f64, Vec<f64>)>;
-    /// The path of the point.
-    fn path(&mut self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>>;
-    /// Derivatives of the numbers that the search needs by the parameters, which matter over some lengths, where these numbers
-    /// were worked out last: a row for each, NaN where one is not known.
-    fn slopes(&mut self, x: &[f64], lengths: &[f64]) -> Vec<f64>;
-    /// Derivatives of the place of the point at times of the path that was found last: x, then y, of each time.
-    fn path_slopes(&mut self, x: &[f64], lengths: &[f64], times: &[f64]) -> Option<Vec<f64>>;
-}
-
-/// Families of the model: read and compiled once.
+/// The variants of a model by the values of its parameters [SI]; what they give depends on these alone. Read and compiled once.
 pub struct Runs {
     values: Family,
     /// By deviations of all parameters that change or scatter.
@@ -109,7 +81,7 @@ impl Runs {
     /// # Errors
     /// A path that the model does not have.
     pub fn new(
-        question: &Question,
+        question: &Target,
         file: &ModelFile,
         plain: &ModelFile,
         timing: Option<&Timing>,
@@ -206,7 +178,7 @@ impl Deviations {
         loaded: &Loaded,
         names: &[&str],
         nominal: Vec<f64>,
-        question: &Question,
+        question: &Target,
     ) -> Result<Option<Self>, Complaints> {
         let Some(robust) = &question.robust else {
             return Ok(None);
@@ -242,7 +214,7 @@ impl Deviations {
 }
 
 /// The share of one start.
-struct Share<'r> {
+pub struct Share<'r> {
     runs: &'r Runs,
     values: Member<'r>,
     deviations: Option<Member<'r>>,
@@ -253,15 +225,16 @@ struct Share<'r> {
     motion: Option<Outcome>,
 }
 
-impl Variants for Runs {
-    fn begin(&self) -> Box<dyn Variant + '_> {
+impl Runs {
+    /// Begins, for one start.
+    pub fn begin(&self) -> Share<'_> {
         let place = |k: usize| {
             let path = self.paths.as_ref().map(|paths| &paths[k])?;
             path.substitution.as_ref().map(Substitution::begin)
         };
         let mut values = self.values.begin();
         values.keep_motion();
-        Box::new(Share {
+        Share {
             runs: self,
             values,
             path: self.path.as_ref().map(Family::begin),
@@ -272,16 +245,23 @@ impl Variants for Runs {
                 member
             }),
             places: [place(0), place(1)],
-        })
+        }
     }
 }
 
-impl Variant for Share<'_> {
-    fn numbers(&mut self, x: &[f64], call: Call) -> Found<Vec<f64>> {
+impl Share<'_> {
+    /// The numbers that the search needs, then the responses of the model, NaN where these have no value.
+    pub fn numbers(&mut self, x: &[f64], call: Call) -> Found<Vec<f64>> {
         self.runs.member(&mut self.values, x, call)
     }
 
-    fn deviating(&mut self, x: &[f64], (number, by): (usize, f64), call: Call) -> Found<Vec<f64>> {
+    /// The same where a parameter that scatters deviates from what it has there: its number, and by how much.
+    pub fn deviating(
+        &mut self,
+        x: &[f64],
+        (number, by): (usize, f64),
+        call: Call,
+    ) -> Found<Vec<f64>> {
         let both = self.runs.deviations.as_ref().zip(self.deviations.as_mut());
         let Some((deviations, member)) = both else {
             return Found::None("nothing scatters".to_owned());
@@ -290,7 +270,8 @@ impl Variant for Share<'_> {
         self.runs.member(member, &values, call)
     }
 
-    fn deviating_slopes(
+    /// The first of these numbers there, and its derivatives by the parameters.
+    pub fn deviating_slopes(
         &mut self,
         x: &[f64],
         deviation: (usize, f64),
@@ -315,7 +296,8 @@ impl Variant for Share<'_> {
         Some((*numbers.first()?, gradient[row..row + x.len()].to_vec()))
     }
 
-    fn path(&mut self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>> {
+    /// The path of the point.
+    pub fn path(&mut self, x: &[f64], detail: Detail, call: Call) -> Found<Vec<Node>> {
         let Some(paths) = &self.runs.paths else {
             return Found::None("no path is looked for".to_owned());
         };
@@ -344,7 +326,9 @@ impl Variant for Share<'_> {
         }
     }
 
-    fn slopes(&mut self, x: &[f64], lengths: &[f64]) -> Vec<f64> {
+    /// Derivatives of the numbers that the search needs by the parameters, which matter over some lengths, where these numbers
+    /// were worked out last: a row for each, NaN where one is not known.
+    pub fn slopes(&mut self, x: &[f64], lengths: &[f64]) -> Vec<f64> {
         let count = self.runs.own.len() + self.runs.others.len();
         let mut gradient = vec![f64::NAN; count * x.len()];
         self.values.slopes(x, lengths, &mut gradient);
@@ -353,7 +337,8 @@ impl Variant for Share<'_> {
         rows.flat_map(row).copied().collect()
     }
 
-    fn path_slopes(&mut self, x: &[f64], lengths: &[f64], times: &[f64]) -> Option<Vec<f64>> {
+    /// Derivatives of the place of the point at times of the path that was found last: x, then y, of each time.
+    pub fn path_slopes(&mut self, x: &[f64], lengths: &[f64], times: &[f64]) -> Option<Vec<f64>> {
         let (member, motion) = (self.path.as_mut()?, self.motion.as_ref()?);
         let responses = self.runs.path.as_ref()?.responses();
         let all = member.slopes_along(x, lengths, motion.all(), times)?;

@@ -14,15 +14,20 @@ use linkdyn_output::{Stage, Summary, Trajectory};
 use linkdyn_picture::Report;
 
 use crate::shape::{with_loads, with_profiles};
-use crate::{ModelFile, Unanswered};
+use crate::{ModelFile, Question, Unanswered};
 pub use text::text;
 
-/// Runs the model's analysis.
-///
-/// # Errors
-/// A model without an analysis, or one that lacks what it needs. How the run ended stands in its report.
-pub fn run(file: &ModelFile, control: &Control) -> Result<Outcome, Unanswered> {
-    unplaced(file, control).map_err(|complaints| file.refused(complaints))
+/// Asks for a run of the model's analysis.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Run;
+
+/// How the run ended stands in its report.
+impl Question for Run {
+    type Answer = Outcome;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Outcome, Unanswered> {
+        unplaced(file, control).map_err(|complaints| file.refused(complaints))
+    }
 }
 
 /// The same; complaints have no places in the file.

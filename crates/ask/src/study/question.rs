@@ -1,10 +1,11 @@
 //! What a study is asked for.
 
+use linkdyn_engine::analysis::Control;
 use linkdyn_model::study::{SampleIndices, SampleMethod};
 use linkdyn_study::design::Method;
 
-use super::Variants;
-use crate::{ModelFile, Unanswered};
+use super::{Studied, Variants};
+use crate::{ModelFile, Question, Unanswered};
 
 /// What is varied, and how.
 #[derive(Debug, Clone)]
@@ -77,10 +78,29 @@ impl Study {
     }
 }
 
+/// Threads of rayon share the work.
+impl Question for Study {
+    type Answer = Studied;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Studied, Unanswered> {
+        let studied = self.variants(file)?.answer(control, |_| ());
+        studied.ok_or(Unanswered::Interrupted)
+    }
+}
+
 impl Varied {
     /// How axes are written.
     pub(super) const FORM: &str =
         "write it as in \"parameters.r=40 mm:60 mm:21\" or \"parameters.r=40 mm, 50 mm\"";
+
+    /// Values of a parameter: `FROM:TO:COUNT`, or one by one with commas.
+    pub fn new(name: &str, values: &str) -> Self {
+        Varied {
+            label: format!("{name} over {values:?}"),
+            name: bare(name),
+            values: values.to_owned(),
+        }
+    }
 
     /// Reads `parameters.NAME=VALUES`, which messages call `--vary`.
     ///

@@ -87,8 +87,9 @@ impl Variants {
         })
     }
 
-    /// Computes all variants, which are kept nowhere; none where it is interrupted. Threads of rayon share the work.
-    pub fn answer(&self, control: &Control) -> Option<Studied> {
+    /// Computes all variants, whose rows `take` is given in their order; none where it is interrupted. Threads of rayon share
+    /// the work.
+    pub fn answer(&self, control: &Control, mut take: impl FnMut(&Rows)) -> Option<Studied> {
         let (plan, whole) = (self.head.plan(), self.head.variants as f64);
         let mut sums = Sums::new(&self.head);
         for chunk in 0..plan.chunks() {
@@ -103,6 +104,7 @@ impl Variants {
                 return None;
             }
             sums.take(&rows);
+            take(&rows);
         }
         Some(sums.studied(self.head.clone(), self.display.clone()))
     }

@@ -65,7 +65,7 @@ pub enum Aim {
 
 /// What is looked for.
 #[derive(Debug, Clone)]
-pub struct Question {
+pub struct Target {
     pub aim: Aim,
     pub variables: Vec<Variable>,
     pub objective: Option<Aimed>,
@@ -83,13 +83,13 @@ fn hidden(number: usize) -> String {
     format!("{OWN}{number}")
 }
 
-impl Question {
+impl Target {
     /// Reads the question of a model; the model again, with a response for each number that the search needs, in their order before
     /// those of the model.
     ///
     /// # Errors
     /// What an analysis of the model has no place for.
-    pub fn new(file: &ModelFile) -> Result<(Question, ModelFile), Unanswered> {
+    pub fn new(file: &ModelFile) -> Result<(Target, ModelFile), Unanswered> {
         let default = Optimise::default();
         let asked = file.model().optimise.as_ref().unwrap_or(&default);
         let mut expressions: Vec<&str> = Vec::new();
@@ -121,7 +121,7 @@ impl Question {
         let first = usize::from(sought.is_some());
         let constraints = asked.constraints.iter().enumerate();
         let own = list.iter().filter(|one| !one.name.starts_with(OWN));
-        let question = Question {
+        let question = Target {
             aim: aim(asked),
             variables: variables(asked, file),
             objective: sought.map(|(sought, sign)| Aimed {

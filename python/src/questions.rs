@@ -1,0 +1,270 @@
+//! Questions to a model: each answer as JSON, in words and as a page.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use linkdyn::ask::{Accuracy, Check, Compare, Levels, Method, Modes, Optimise, Study, Varied};
+use linkdyn::{Control, Error, bridge};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::answers::Answers;
+use crate::errors::exception;
+use crate::mechanism::Mechanism;
+use crate::work::{Watch, at_once, watched};
+
+/// JSON, words, and the page where there is one.
+type Told = (String, String, Option<String>);
+
+/// What was asked for, and what stopped it from Python.
+type Stopped<T> = (T, Option<PyErr>);
+
+fn control(watch: &Watch) -> Control {
+    Control {
+        interrupted: Arc::clone(&watch.interrupted),
+        progress: watch.progress.clone(),
+        ..Control::default()
+    }
+}
+
+/// Asks in another thread.
+fn asked<T: Send + 'static>(
+    py: Python<'_>,
+    told: Option<&Bound<'_, PyAny>>,
+    ask: impl FnOnce(&Control) -> Result<T, Error> + Send + 'static,
+) -> PyResult<Stopped<Option<T>>> {
+    let done = watched(py, told, move |watch| ask(&control(watch)))?;
+    match done.value {
+        Ok(value) => Ok((Some(value), done.stopped)),
+        // What stopped it says more.
+        Err(_) if done.stopped.is_some() => Ok((None, done.stopped)),
+        Err(error) => Err(exception(py, &error)),
+    }
+}
+
+fn levels(word: &str) -> Result<Levels, Error> {
+    match word {
+        "first" => Ok(Levels::First),
+        "worst" => Ok(Levels::Worst),
+        "certified" => Ok(Levels::Certified),
+        other => Err(Error::Question(vec![format!(
+            "levels {other:?}: there are first, worst and certified"
+        )])),
+    }
+}
+
+/// The diagnosis.
+#[pyfunction]
+pub fn check(py: Python<'_>, model: &Mechanism) -> PyResult<Stopped<Option<Told>>> {
+    let mechanism = model.own();
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&Check, control)?;
+        Ok((bridge::json(&found), bridge::words(found.text()), None))
+    })
+}
+
+/// The modes about the equilibrium, or the assembled position.
+#[pyfunction]
+pub fn modes(py: Python<'_>, model: &Mechanism, pose: bool) -> PyResult<Stopped<Option<Told>>> {
+    let mechanism = model.own();
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&Modes { pose }, control)?;
+        let page = found.html().and_then(Result::ok);
+        Ok((bridge::json(&found), bridge::words(found.text()), page))
+    })
+}
+
+/// What tolerances and clearances do to outputs.
+#[pyfunction]
+pub fn accuracy(
+    py: Python<'_>,
+    model: &Mechanism,
+    outputs: Vec<String>,
+    levels: Option<String>,
+    threads: usize,
+) -> PyResult<Stopped<Option<Told>>> {
+    let mechanism = model.own();
+    asked(py, None, move |control| {
+        let question = Accuracy {
+            outputs,
+            levels: levels.as_deref().map(self::levels).transpose()?,
+            threads: threads.try_into().ok(),
+        };
+        let found = mechanism.ask(&question, control)?;
+        let page = Some(found.html());
+        Ok((bridge::json(&found), bridge::words(found.text()), page))
+    })
+}
+
+/// The model with each model of a joint's clearance.
+#[pyfunction]
+pub fn compare(
+    py: Python<'_>,
+    model: &Mechanism,
+    joints: Vec<String>,
+    models: Vec<String>,
+    columns: Vec<String>,
+) -> PyResult<Stopped<Option<Told>>> {
+    let mechanism = model.own();
+    let question = Compare {
+        joints,
+        models,
+        columns,
+    };
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&question, control)?;
+        let page = Some(found.html());
+        Ok((bridge::json(&found), bridge::words(found.text()), page))
+    })
+}
+
+/// What was found, why it is not what was looked for, and the model with it.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)]
+pub fn optimise(
+    py: Python<'_>,
+    model: &Mechanism,
+    vary: Vec<String>,
+    goals: Vec<String>,
+    minimise: Vec<String>,
+    maximise: Vec<String>,
+    constraints: Vec<String>,
+    robust: Option<f64>,
+    starts: Option<u64>,
+    seed: Option<u64>,
+    threads: usize,
+) -> PyResult<Stopped<Option<(Told, Option<String>, Option<Mechanism>)>>> {
+    let mechanism = model.own();
+    let question = Optimise {
+        vary,
+        goals,
+        minimise,
+        maximise,
+        constraints,
+        robust,
+        starts,
+        seed,
+    };
+    asked(py, None, move |control| {
+        let found = bridge::by_threads(threads, || mechanism.ask(&question, control))??;
+        let best = found.model()?.map(bridge::mechanism).transpose()?;
+        let told = (bridge::json(&found), bridge::words(found.text()), None);
+        Ok((told, found.failure(), best.map(Mechanism::of)))
+    })
+}
+
+/// A study, whose shares anybody can compute.
+#[pyclass(frozen, module = "linkdyn._linkdyn")]
+pub struct Variants(Arc<bridge::Variants>);
+
+/// What a study comes to; how each variant ended; names and units of the columns, and the table of their values.
+type Table = (Told, Vec<String>, Vec<(String, String)>, Answers);
+
+#[pymethods]
+impl Variants {
+    /// What is varied: `vary` has names and values; where nothing is, what the model says.
+    #[new]
+    fn new(
+        py: Python<'_>,
+        model: &Mechanism,
+        vary: Vec<(String, String)>,
+        samples: Option<u64>,
+        method: &str,
+        indices: bool,
+        seed: Option<u64>,
+        responses: Vec<String>,
+    ) -> PyResult<Self> {
+        let default = Study::default();
+        let method = match method {
+            "random" => Method::MonteCarlo,
+            "sobol" => Method::Sobol { scrambled: true },
+            "latin" => Method::LatinHypercube,
+            other => {
+                let told = format!("method {other:?}: there are random, sobol and latin");
+                return Err(PyValueError::new_err(told));
+            }
+        };
+        let varied = vary.iter().map(|(name, values)| Varied::new(name, values));
+        let question = Study {
+            varied: varied.collect(),
+            samples,
+            method,
+            indices,
+            seed: seed.unwrap_or(default.seed),
+        };
+        let is_own = question.varied.is_empty() && samples.is_none();
+        let question = (!is_own).then_some(question);
+        let mechanism = model.own();
+        let made = at_once(py, || {
+            bridge::Variants::new(&mechanism, question.as_ref(), seed, &responses)
+        })?;
+        let made = made.map_err(|error| exception(py, &error))?;
+        Ok(Variants(Arc::new(made)))
+    }
+
+    /// `study.json` before anything was computed.
+    fn plan(&self) -> String {
+        self.0.plan()
+    }
+
+    /// Computes all variants.
+    #[pyo3(signature = (page, threads, told=None))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        page: bool,
+        threads: usize,
+        told: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Stopped<Option<Table>>> {
+        let variants = Arc::clone(&self.0);
+        asked(py, told, move |control| {
+            let done = bridge::by_threads(threads, || variants.run(control, page))?;
+            let (studied, rows) = done.ok_or(Error::Interrupted)?;
+            let columns = variants.columns();
+            let answers = Answers {
+                values: Arc::new(rows.values),
+                width: columns.len(),
+            };
+            let told = (studied.json, studied.text, studied.page);
+            Ok((told, rows.statuses, columns, answers))
+        })
+    }
+
+    /// Computes a share, from 1, into a directory; what is there already is kept.
+    fn share(
+        &self,
+        py: Python<'_>,
+        directory: PathBuf,
+        share: [u64; 2],
+        threads: usize,
+    ) -> PyResult<Stopped<Option<bool>>> {
+        let variants = Arc::clone(&self.0);
+        asked(py, None, move |control| {
+            bridge::by_threads(threads, || variants.share(&directory, share, control))?
+        })
+    }
+
+    /// Computes what is missing in a directory, and writes all files.
+    #[pyo3(signature = (directory, page, threads, told=None))]
+    fn join(
+        &self,
+        py: Python<'_>,
+        directory: PathBuf,
+        page: bool,
+        threads: usize,
+        told: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Stopped<Option<Told>>> {
+        let variants = Arc::clone(&self.0);
+        asked(py, told, move |control| {
+            let joined = bridge::by_threads(threads, || variants.join(&directory, page, control))?;
+            let studied = joined?.ok_or(Error::Interrupted)?;
+            Ok((studied.json, studied.text, studied.page))
+        })
+    }
+}
+
+/// Names of the bundled models.
+#[pyfunction]
+pub fn bundled() -> Vec<String> {
+    bridge::bundled()
+}
