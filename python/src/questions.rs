@@ -119,6 +119,9 @@ pub fn compare(
 }
 
 /// What was found, why it is not what was looked for, and the model with it.
+type Optimum = (Told, Option<String>, Option<Mechanism>);
+
+/// Values of parameters with which goals are met, or an objective is least or greatest.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub fn optimise(
@@ -133,7 +136,7 @@ pub fn optimise(
     starts: Option<u64>,
     seed: Option<u64>,
     threads: usize,
-) -> PyResult<Stopped<Option<(Told, Option<String>, Option<Mechanism>)>>> {
+) -> PyResult<Stopped<Option<Optimum>>> {
     let mechanism = model.own();
     let question = Optimise {
         vary,
@@ -164,6 +167,7 @@ type Table = (Told, Vec<String>, Vec<(String, String)>, Answers);
 impl Variants {
     /// What is varied: `vary` has names and values; where nothing is, what the model says.
     #[new]
+    #[allow(clippy::too_many_arguments)]
     fn new(
         py: Python<'_>,
         model: &Mechanism,

@@ -3,7 +3,6 @@
 use std::io::{BufWriter, Write};
 use std::panic::resume_unwind;
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 
@@ -83,8 +82,9 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         levels: options.levels.map(Into::into),
         threads: Some(threads),
     };
-    let line = Line::start(Instant::now(), file.name(), || None);
-    let found = question.answer(&file, &interrupt::control());
+    let control = interrupt::control();
+    let line = Line::watch(file.name(), &control);
+    let found = question.answer(&file, &control);
     drop(line);
     let found = found.map_err(|why| options.model.refuse(why))?;
     let mut written = Vec::new();

@@ -1,7 +1,6 @@
 //! `linkdyn compare`: one model with each model of a joint's clearance, and how far their results are apart.
 
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::Args;
 
@@ -59,10 +58,7 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         columns: options.columns.clone(),
     };
     let control = interrupt::control();
-    let begin = |model: &str| {
-        let progress = control.progress.clone();
-        Line::start(Instant::now(), model, move || progress.share())
-    };
+    let begin = |model: &str| Line::watch(model, &control);
     let found = question.answer_model_by_model(&file, &control, begin);
     let found = found.map_err(|why| options.model.refuse(why))?;
     let written = match &directory {

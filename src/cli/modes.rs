@@ -1,7 +1,6 @@
 //! `linkdyn modes`: natural frequencies, damping and shapes of small motions about the equilibrium.
 
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::Args;
 
@@ -43,9 +42,10 @@ How the equilibrium is found: linkdyn docs theory. What the files hold: linkdyn 
 pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let file = options.model.open()?;
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
-    let line = Line::start(Instant::now(), file.name(), || None);
+    let control = interrupt::control();
+    let line = Line::watch(file.name(), &control);
     let question = Modes { pose: options.pose };
-    let found = question.answer(&file, &interrupt::control());
+    let found = question.answer(&file, &control);
     drop(line);
     let mut found = found.map_err(|why| options.model.refuse(why))?;
     let mut written = Vec::new();

@@ -1,7 +1,6 @@
 //! `linkdyn optimise`: values of parameters with which goals are met, an objective is least, or a point takes a path.
 
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::Args;
 
@@ -85,9 +84,7 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let directory = options.directory.as_deref().map(Directory::open);
     let directory = directory.transpose()?;
     let pool = threads::pool(options.threads)?;
-    let line = Line::start(Instant::now(), search.file.name(), move || {
-        control.progress.share()
-    });
+    let line = Line::watch(search.file.name(), &control);
     let found = pool.install(|| search.answer(directory.is_some()));
     drop(line);
     let found = found.map_err(|why| model.refuse(why))?;

@@ -7,6 +7,7 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use linkdyn_ask::text::{number, plain};
+use linkdyn_engine::analysis::Control;
 
 /// Commands that take less are not worth a line.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -21,6 +22,12 @@ const LABEL: usize = 28;
 pub struct Line(Option<(Sender<()>, JoinHandle<()>)>);
 
 impl Line {
+    /// Begins to look at the progress of a question that is asked now.
+    pub fn watch(label: &str, control: &Control) -> Self {
+        let progress = control.progress.clone();
+        Line::start(Instant::now(), label, move || progress.share())
+    }
+
     /// Begins to look at `share` (from 0 to 1, none where nobody can tell) of a command that began at `since`.
     pub fn start(
         since: Instant,

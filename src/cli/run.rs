@@ -1,7 +1,6 @@
 //! `linkdyn run`: runs a model's analysis, writes the results, prints a short summary.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use clap::Args;
 
@@ -105,8 +104,7 @@ fn once(options: &Options) -> Result<Exit, Failure> {
         Some(path) => Target::Directory(open_directory(path)?),
     };
     let control = interrupt::control();
-    let progress = control.progress.clone();
-    let line = Line::start(Instant::now(), file.name(), move || progress.share());
+    let line = Line::watch(file.name(), &control);
     let outcome = Run.answer(&file, &control);
     drop(line);
     let outcome = outcome.map_err(|why| model.refuse(why))?;

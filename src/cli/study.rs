@@ -1,7 +1,6 @@
 //! `linkdyn study`: many variants of a model, what comes out of each, and what that comes to.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use clap::{Args, Subcommand};
 
@@ -120,10 +119,7 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let variants = variants.map_err(|why| model.refuse(why))?;
     let pool = threads::pool(options.threads)?;
     let control = interrupt::control();
-    let progress = control.progress.clone();
-    let line = Line::start(Instant::now(), variants.file.name(), move || {
-        progress.share()
-    });
+    let line = Line::watch(variants.file.name(), &control);
     let done = pool.install(|| compute(options, &variants, shard, &control));
     drop(line);
     match done.map_err(|why| model.refuse(why))? {

@@ -5,6 +5,7 @@ use linkdyn_engine::system::compile::profiles;
 use linkdyn_model::Checked;
 use linkdyn_output::{BodyQuantity, Channel, Column, TIME, Table, Trajectory};
 use linkdyn_picture::Shape;
+use linkdyn_picture::poses::Pose;
 
 /// The shape of a model, with the profiles of its cams.
 pub fn with_profiles(model: &Checked) -> Shape {
@@ -28,6 +29,16 @@ pub fn with_loads(model: &Checked, results: &Trajectory) -> Shape {
     shape
 }
 
+/// The same, in a single position of all bodies, the ground first.
+pub fn at_pose(model: &Checked, pose: &[Pose]) -> Shape {
+    let bodies = Shape::of_model(model).bodies.into_iter();
+    let mut poses = Trajectory::new(columns(bodies.skip(1).map(|body| body.name)));
+    let moving = pose.iter().skip(1).flatten().copied();
+    let row: Vec<f64> = std::iter::once(0.0).chain(moving).collect();
+    poses.push_row(&row);
+    with_loads(model, &poses)
+}
+
 /// The same, for results that were read.
 pub fn for_table(model: &Checked, table: &Table) -> Shape {
     let moving = Shape::of_model(model).bodies.into_iter().skip(1);
@@ -35,14 +46,7 @@ pub fn for_table(model: &Checked, table: &Table) -> Shape {
 }
 /// Time and the poses of these bodies, as the engine writes them.
 fn poses(table: &Table, bodies: impl Iterator<Item = String>) -> Trajectory {
-    let mut columns = vec![Column::of(Channel::Time, "", "s")];
-    for (body, name) in bodies.enumerate() {
-        let quantities = [BodyQuantity::X, BodyQuantity::Y, BodyQuantity::Angle];
-        let column = |quantity: BodyQuantity| {
-            Column::of(Channel::Body(body, quantity), &name, quantity.unit())
-        };
-        columns.extend(quantities.map(column));
-    }
+    let columns = columns(bodies);
     let values: Vec<Option<&[f64]>> = columns
         .iter()
         .map(|column| table.values(table.column(&column.name)?).ok())
@@ -54,4 +58,17 @@ fn poses(table: &Table, bodies: impl Iterator<Item = String>) -> Trajectory {
         poses.push_row(&values.iter().map(cell).collect::<Vec<_>>());
     }
     poses
+}
+
+/// Columns of the time and of the poses of these bodies.
+fn columns(bodies: impl Iterator<Item = String>) -> Vec<Column> {
+    let mut columns = vec![Column::of(Channel::Time, "", "s")];
+    for (body, name) in bodies.enumerate() {
+        let quantities = [BodyQuantity::X, BodyQuantity::Y, BodyQuantity::Angle];
+        let column = |quantity: BodyQuantity| {
+            Column::of(Channel::Body(body, quantity), &name, quantity.unit())
+        };
+        columns.extend(quantities.map(column));
+    }
+    columns
 }

@@ -1,11 +1,8 @@
 //! The page that draws a model with what was found in it.
 
-use std::path::PathBuf;
-
 use linkdyn_engine::analysis::Check;
 use linkdyn_model::Checked;
-use linkdyn_output::read::ReadColumn;
-use linkdyn_output::{Status, Table};
+use linkdyn_output::Status;
 use linkdyn_picture::Shape;
 use linkdyn_picture::diagnosis::{Finding, Loop, Severity, page};
 use linkdyn_picture::poses::Pose;
@@ -13,14 +10,14 @@ use linkdyn_picture::shape::{DriverKind, PointId};
 
 use super::Diagnosis;
 use super::text::lack_words;
-use crate::shape::for_table;
+use crate::shape::at_pose;
 use crate::text::words::mobility;
 
 /// The page of a model that was checked.
 pub fn html(diagnosis: &Diagnosis) -> String {
     let (model, check) = (diagnosis.file.model(), &diagnosis.found);
     let pose = pose(model, &check.poses);
-    let shape = for_table(model, &table(model, &pose));
+    let shape = at_pose(model, &pose);
     let mut found = Finder {
         shape: &shape,
         loops: &check.loops,
@@ -79,23 +76,6 @@ pub fn pose(model: &Checked, assembled: &[(String, Pose)]) -> Vec<Pose> {
     };
     let moving = moving.map(|body| of(&body.name));
     std::iter::once([0.0; 3]).chain(moving).collect()
-}
-
-/// The position as if it had been read from results.
-pub fn table(model: &Checked, pose: &[Pose]) -> Table {
-    let column = |name: &str, unit: &str, value: f64| ReadColumn::new(name, unit, vec![value]);
-    let mut columns = vec![column("time", "s", 0.0)];
-    let bodies = Shape::of_model(model).bodies;
-    for (body, pose) in bodies.iter().zip(pose).skip(1) {
-        for ((quantity, unit), value) in [("x", "m"), ("y", "m"), ("angle", "rad")].iter().zip(pose)
-        {
-            columns.push(column(&format!("{}.{quantity}", body.name), unit, *value));
-        }
-    }
-    Table {
-        path: PathBuf::new(),
-        columns,
-    }
 }
 
 /// Finds what texts are about.

@@ -4,9 +4,9 @@
 
 use serde_json::{Map, Value};
 
-use super::page::{Finder, pose, table};
+use super::page::{Finder, pose};
 use crate::Text;
-use crate::shape::for_table;
+use crate::shape::at_pose;
 use linkdyn_model::Checked;
 use linkdyn_model::error::Complaints;
 use linkdyn_picture::Shape;
@@ -25,7 +25,7 @@ pub fn html(text: &Text, complaints: &Complaints) -> String {
     let document: Option<Value> = serde_json::from_slice(bytes).ok();
     let drawn = document.as_ref().and_then(drawable);
     let shape = match &drawn {
-        Some(model) => for_table(model, &table(model, &pose(model, &[]))),
+        Some(model) => at_pose(model, &pose(model, &[])),
         None => Shape::default(),
     };
     let mut found = Finder {

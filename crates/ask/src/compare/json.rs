@@ -4,7 +4,7 @@ use indexmap::IndexMap;
 use linkdyn_output::Column;
 use serde::{Serialize, Serializer};
 
-use super::{Compared, Rung, cpu};
+use super::{Compared, Rung, cpu, numbers};
 use crate::{ENGINE, Subject};
 
 #[derive(Serialize)]
@@ -40,19 +40,19 @@ struct Ran<'a> {
 
 #[derive(Serialize)]
 struct Difference {
-    max: Option<f64>,
-    max_time: Option<f64>,
-    mean: Option<f64>,
-    rms: Option<f64>,
+    max: f64,
+    max_time: f64,
+    mean: f64,
+    rms: f64,
     instants: usize,
 }
 
 #[derive(Serialize)]
 struct Extremes {
-    min: Option<f64>,
-    min_time: Option<f64>,
-    max: Option<f64>,
-    max_time: Option<f64>,
+    min: f64,
+    min_time: f64,
+    max: f64,
+    max_time: f64,
 }
 
 impl Serialize for Compared {
@@ -60,24 +60,25 @@ impl Serialize for Compared {
         let columns = &self.comparison.columns;
         let mut differences: IndexMap<String, IndexMap<&str, Difference>> = IndexMap::new();
         for one in &self.comparison.differences {
-            let numbers = one.numbers;
+            let [max, max_time, mean, rms] = numbers(one);
             let difference = Difference {
-                max: numbers.map(|n| n.max),
-                max_time: numbers.map(|n| n.max_time),
-                mean: numbers.map(|n| n.mean),
-                rms: numbers.map(|n| n.rms),
+                max,
+                max_time,
+                mean,
+                rms,
                 instants: one.instants,
             };
             let of_column = differences.entry(one.column.label()).or_default();
             of_column.insert(&one.run, difference);
         }
         let extremes = columns.iter().map(|column| {
-            let by_model = self.extremes(column).map(|(model, found)| {
+            let by_model = self.extremes(column);
+            let by_model = by_model.map(|(model, [min, min_time, max, max_time])| {
                 let extremes = Extremes {
-                    min: found.map(|e| e.min),
-                    min_time: found.map(|e| e.min_time),
-                    max: found.map(|e| e.max),
-                    max_time: found.map(|e| e.max_time),
+                    min,
+                    min_time,
+                    max,
+                    max_time,
                 };
                 (model, extremes)
             });

@@ -11,8 +11,8 @@ mod text;
 use std::sync::atomic::Ordering;
 
 use linkdyn_engine::analysis::{Control, Outcome};
-use linkdyn_output::comparison::Comparison;
-use linkdyn_output::{Column, Extremes, Trajectory};
+use linkdyn_output::comparison::{Comparison, Difference};
+use linkdyn_output::{Column, Trajectory};
 
 use crate::{ModelFile, Question, Unanswered};
 use columns::{compare, curves};
@@ -124,11 +124,12 @@ impl Compare {
 }
 
 impl Compared {
-    /// Smallest and largest value of a column by model, peaks between the outputs included.
-    fn extremes(&self, column: &Column) -> impl Iterator<Item = (&'static str, Option<Extremes>)> {
+    /// Smallest value of a column, its time, largest value and its time, by model; peaks between the outputs included.
+    fn extremes(&self, column: &Column) -> impl Iterator<Item = (&'static str, [f64; 4])> {
         self.curves.iter().map(|(model, table)| {
             let extremes = table.id_of(column).and_then(|id| table.extremes_of(id));
-            (*model, extremes)
+            let numbers = extremes.map(|e| [e.min, e.min_time, e.max, e.max_time]);
+            (*model, numbers.unwrap_or([f64::NAN; 4]))
         })
     }
 
@@ -168,6 +169,13 @@ fn ran(rungs: &[Rung]) -> impl Iterator<Item = (&'static str, &Outcome)> {
     rungs
         .iter()
         .filter_map(|rung| Some((rung.model, &rung.ran.as_ref().ok()?.1)))
+}
+
+/// Largest difference, its time, mean and root mean square.
+fn numbers(difference: &Difference) -> [f64; 4] {
+    let numbers = difference.numbers;
+    let numbers = numbers.map(|n| [n.max, n.max_time, n.mean, n.rms]);
+    numbers.unwrap_or([f64::NAN; 4])
 }
 
 /// CPU of assembly and solution \[s\].

@@ -3,7 +3,7 @@
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_output::Column;
 
-use super::{Compared, cpu};
+use super::{Compared, cpu, numbers};
 use crate::text::words::{status_words, unit_words};
 use crate::text::{Page, Side, Table, count, number, seconds, shorten};
 
@@ -68,9 +68,7 @@ impl Compared {
             table.row([heading(column)]);
             let differences = self.comparison.differences.iter();
             for difference in differences.filter(|difference| difference.column == *column) {
-                let numbers = difference.numbers;
-                let numbers = numbers.map(|n| [n.max, n.max_time, n.mean, n.rms]);
-                table.row(cells(&difference.run, numbers));
+                table.row(cells(&difference.run, numbers(difference)));
             }
         }
         table.row([
@@ -83,8 +81,7 @@ impl Compared {
         for column in &self.comparison.columns {
             table.row([heading(column)]);
             for (model, extremes) in self.extremes(column) {
-                let numbers = extremes.map(|e| [e.min, e.min_time, e.max, e.max_time]);
-                table.row(cells(model, numbers));
+                table.row(cells(model, extremes));
             }
         }
         table
@@ -108,8 +105,7 @@ fn heading(column: &Column) -> String {
     format!("  {} [{}]", column.name, unit_words(column.unit))
 }
 
-fn cells(model: &str, numbers: Option<[f64; 4]>) -> Vec<String> {
-    let numbers = numbers.unwrap_or([f64::NAN; 4]);
+fn cells(model: &str, numbers: [f64; 4]) -> Vec<String> {
     let numbers = numbers.map(|value| number(value, DIGITS));
     [format!("    {model}")]
         .into_iter()

@@ -110,20 +110,20 @@ struct Start<'a> {
 /// `optimise.json`.
 impl Serialize for Optimised {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let question = &self.question;
+        let target = &self.target;
         let [exact, differences] = self.derivatives().sum();
         let gradients = self.gradients().into_iter();
         let document = Document {
             engine: ENGINE,
             model: self.file.varying(),
-            aim: match question.aim {
+            aim: match target.aim {
                 Aim::Goal => "goal",
                 Aim::Goals => "goals",
                 Aim::Objective => "objective",
                 Aim::Curve | Aim::ConstrainedCurve => "curve",
             },
             status: self.status(),
-            seed: question.seed,
+            seed: target.seed,
             evaluations: self.runs,
             derivatives: match (exact, differences) {
                 (0, 0) => None,
@@ -155,14 +155,14 @@ impl Serialize for Optimised {
 
 impl Optimised {
     fn design(&self, x: &[f64]) -> Design<'_> {
-        let all = self.question.variables.iter().zip(x);
+        let all = self.target.variables.iter().zip(x);
         all.map(|(own, x)| (own.parameter.name.as_str(), *x))
             .collect()
     }
 
     fn best_json<'a>(&'a self, best: &'a Ended, measured: &'a Measured) -> Best<'a> {
-        let question = &self.question;
-        let variables = question.variables.iter().zip(&best.x).enumerate();
+        let target = &self.target;
+        let variables = target.variables.iter().zip(&best.x).enumerate();
         let design = variables.map(|(k, (own, x))| {
             let value = Value {
                 value: *x,
@@ -174,14 +174,14 @@ impl Optimised {
             };
             (own.parameter.name.as_str(), value)
         });
-        let sigmas = question.robust.as_ref().map(|own| own.sigmas);
-        let constraints = question.constraints.iter().zip(&measured.sides).enumerate();
+        let sigmas = target.robust.as_ref().map(|own| own.sigmas);
+        let constraints = target.constraints.iter().zip(&measured.sides).enumerate();
         let distances = self.distances(measured);
-        let curve = question.curve.as_ref().zip(distances);
-        let responses = question.responses.iter().zip(&measured.responses);
+        let curve = target.curve.as_ref().zip(distances);
+        let responses = target.responses.iter().zip(&measured.responses);
         Best {
             design: design.collect(),
-            objective: question.objective.as_ref().map(|aimed| Objective {
+            objective: target.objective.as_ref().map(|aimed| Objective {
                 text: &aimed.text,
                 sense: if aimed.sign > 0.0 {
                     "minimise"
@@ -243,7 +243,47 @@ impl Optimised {
 impl Optimised {
     /// The table of all evaluations, as in `evaluations.csv`; they are kept where that is asked for.
     pub fn table(&self) -> String {
-        table(&self.question, &self.in_order())
+        let target = &self.target;
+        let mut out = self.headings().join(",");
+        for start in self.in_order() {
+            for (number, record) in start.records.iter().enumerate() {
+                let status = record.missing.as_deref().unwrap_or("completed");
+                out += &format!("\n{},{number},{}", start.number, field(status));
+                record.x.iter().for_each(|x| out += &format!(",{x:?}"));
+                for value in record.measured.row(target) {
+                    match record.missing {
+                        None => out += &format!(",{value:?}"),
+                        Some(_) => out.push(','),
+                    }
+                }
+            }
+        }
+        out + "\n"
+    }
+
+    fn headings(&self) -> Vec<String> {
+        let heading = |name: &str, unit: &str| match unit {
+            "" => field(name),
+            unit => field(&format!("{name} [{unit}]")),
+        };
+        let target = &self.target;
+        let mut all = ["start", "evaluation", "status"].map(String::from).to_vec();
+        for own in &target.variables {
+            let name = format!("parameters.{}", own.parameter.name);
+            all.push(heading(&name, &own.parameter.unit));
+        }
+        all.extend(
+            target
+                .objective
+                .iter()
+                .map(|own| heading(&own.text, &own.unit)),
+        );
+        for (k, one) in (1..).zip(&target.constraints) {
+            let sides = ["left", "right"].map(|side| format!("constraint {k} {side}"));
+            all.extend(sides.map(|name| heading(&name, &one.unit)));
+        }
+        all.extend(target.curve.iter().map(|_| heading("rms_distance", "m")));
+        all
     }
 
     /// The starts by their numbers.
@@ -254,67 +294,19 @@ impl Optimised {
     }
 }
 
-fn table(question: &Target, ended: &[&Ended]) -> String {
-    let mut out = String::from("start,evaluation,status");
-    for own in &question.variables {
-        out += &format!(
-            ",{}",
-            field(&heading(
-                &format!("parameters.{}", own.parameter.name),
-                &own.parameter.unit
-            ))
-        );
-    }
-    if let Some(aimed) = &question.objective {
-        out += &format!(",{}", field(&heading(&aimed.text, &aimed.unit)));
-    }
-    for (k, one) in question.constraints.iter().enumerate() {
-        for side in ["left", "right"] {
-            out += &format!(
-                ",{}",
-                field(&heading(&format!("constraint {} {side}", k + 1), &one.unit))
-            );
+impl Measured {
+    /// Its numbers, as in a row of the table.
+    fn row(&self, target: &Target) -> Vec<f64> {
+        let mut row = Vec::new();
+        row.extend(target.objective.iter().map(|_| self.objective));
+        for k in 0..target.constraints.len() {
+            row.extend(self.sides.get(k).copied().unwrap_or_default());
         }
-    }
-    if question.curve.is_some() {
-        out += ",rms_distance [m]";
-    }
-    out.push('\n');
-    for start in ended {
-        for (number, record) in start.records.iter().enumerate() {
-            let status = record.missing.as_deref().unwrap_or("completed");
-            out += &format!("{},{number},{}", start.number, field(status));
-            for x in &record.x {
-                out += &format!(",{x:?}");
-            }
-            let has = record.missing.is_none();
-            let measured = &record.measured;
-            let mut cell = |value: f64| match has {
-                true => out += &format!(",{value:?}"),
-                false => out.push(','),
-            };
-            if question.objective.is_some() {
-                cell(measured.objective);
-            }
-            for k in 0..question.constraints.len() {
-                let [left, right] = measured.sides.get(k).copied().unwrap_or_default();
-                cell(left);
-                cell(right);
-            }
-            if let Some(curve) = &question.curve {
-                let squares = measured.distances.iter().map(|own| own * own).sum::<f64>();
-                cell((squares / curve.through.len() as f64).sqrt());
-            }
-            out.push('\n');
+        if let Some(curve) = &target.curve {
+            let squares = self.distances.iter().map(|own| own * own).sum::<f64>();
+            row.push((squares / curve.through.len() as f64).sqrt());
         }
-    }
-    out
-}
-
-fn heading(name: &str, unit: &str) -> String {
-    match unit {
-        "" => name.to_owned(),
-        unit => format!("{name} [{unit}]"),
+        row
     }
 }
 

@@ -112,7 +112,7 @@ impl Optimisation {
     /// More parameters than the starts can be spread over.
     pub fn answer(self, is_kept: bool) -> Result<Optimised, Unanswered> {
         let mut search = Search {
-            question: &self.target,
+            target: &self.target,
             runs: &self.runs,
             timing: self.timing.as_ref(),
             scales: Vec::new(),

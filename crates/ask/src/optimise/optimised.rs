@@ -29,7 +29,7 @@ const DIGITS: usize = 12;
 pub struct Optimised {
     /// The model, as it is.
     pub file: ModelFile,
-    pub(super) question: Target,
+    pub(super) target: Target,
     /// The starts, of which the best comes first.
     pub(super) starts: Vec<Ended>,
     /// How many starts reach the best value.
@@ -47,7 +47,7 @@ impl Optimised {
     /// Of all starts.
     pub(super) fn new(
         file: ModelFile,
-        question: Target,
+        target: Target,
         mut starts: Vec<Ended>,
         scales: Vec<f64>,
         missing: Option<String>,
@@ -67,7 +67,7 @@ impl Optimised {
         });
         let mut all = Optimised {
             file,
-            question,
+            target,
             reached: 0,
             designs: Vec::new(),
             runs: starts.iter().map(|own| own.runs).sum(),
@@ -110,11 +110,11 @@ impl Optimised {
         let Some((best, _)) = self.found() else {
             return false;
         };
-        let [one, two] = [best, other].map(|own| match self.question.aim {
+        let [one, two] = [best, other].map(|own| match self.target.aim {
             Aim::Curve | Aim::ConstrainedCurve => own.value.sqrt(),
             Aim::Goal | Aim::Goals | Aim::Objective => own.value,
         });
-        let floor = match self.question.aim {
+        let floor = match self.target.aim {
             Aim::Curve | Aim::ConstrainedCurve => NONE,
             Aim::Goal | Aim::Goals | Aim::Objective => f64::MIN_POSITIVE,
         };
@@ -123,7 +123,7 @@ impl Optimised {
     }
 
     fn is_same_design(&self, one: &Ended, other: &Ended) -> bool {
-        let variables = self.question.variables.iter().enumerate();
+        let variables = self.target.variables.iter().enumerate();
         let off = variables.map(|(k, own)| {
             let width = own
                 .range
@@ -135,7 +135,7 @@ impl Optimised {
 
     /// The word for the bound at which a parameter is.
     pub(super) fn bound(&self, k: usize, x: f64) -> Option<&'static str> {
-        let [lower, upper] = self.question.variables[k].range?;
+        let [lower, upper] = self.target.variables[k].range?;
         let near = AT_BOUND * (upper - lower);
         match x {
             _ if x - lower <= near => Some("lower"),
@@ -147,7 +147,7 @@ impl Optimised {
     /// Whether a constraint is kept, and whether it stands at its limit.
     pub(super) fn state(&self, k: usize, [left, right]: [f64; 2]) -> (bool, bool) {
         let off = (left - right) / self.scales[k];
-        let violation = match self.question.constraints[k].relation {
+        let violation = match self.target.constraints[k].relation {
             Relation::Equal => off.abs(),
             Relation::AtMost => off,
             Relation::AtLeast => -off,
@@ -172,7 +172,7 @@ impl Optimised {
 
     /// Largest and root mean square distance of the points from the path [m].
     pub(super) fn distances(&self, measured: &Measured) -> Option<[f64; 2]> {
-        let curve = self.question.curve.as_ref()?;
+        let curve = self.target.curve.as_ref()?;
         let each: Vec<f64> = match curve.at {
             None => measured.distances.iter().map(|own| own.abs()).collect(),
             Some(_) => measured
@@ -194,18 +194,18 @@ impl Optimised {
 
     /// The same by what is differentiated: how many gradients were exact, and how many differences.
     pub(super) fn gradients(&self) -> Vec<(String, [u64; 2])> {
-        let question = &self.question;
-        let objective = question.objective.as_ref().map(|own| own.text.clone());
-        let path = question.curve.as_ref();
+        let target = &self.target;
+        let objective = target.objective.as_ref().map(|own| own.text.clone());
+        let path = target.curve.as_ref();
         let path = path.map(|own| format!("path of {}", own.point));
-        let constraints = question.constraints.iter().map(|own| own.text.clone());
+        let constraints = target.constraints.iter().map(|own| own.text.clone());
         let names = objective.or(path).into_iter().chain(constraints);
         names.zip(self.derivatives().0).collect()
     }
 
     /// Why it is not what was looked for; none where it is.
     pub fn failure(&self) -> Option<String> {
-        Some(match (self.status(), self.question.aim) {
+        Some(match (self.status(), self.target.aim) {
             ("found", _) => return None,
             ("interrupted", _) => "interrupted: this is the best so far".to_owned(),
             ("no_values", _) => match &self.missing {
@@ -228,7 +228,7 @@ impl Optimised {
     /// The best values of the parameters that may change \[SI\], or the nearest; none where no variant has a result.
     pub fn values(&self) -> impl Iterator<Item = (&str, f64)> {
         let best = self.best().into_iter().flat_map(|(best, _)| &best.x);
-        let variables = self.question.variables.iter();
+        let variables = self.target.variables.iter();
         let values = variables.zip(best);
         values.map(|(own, x)| (own.parameter.name.as_str(), *x))
     }
@@ -241,7 +241,7 @@ impl Optimised {
         let Some((best, _)) = self.found() else {
             return Ok(None);
         };
-        let all = self.question.variables.iter().zip(&best.x);
+        let all = self.target.variables.iter().zip(&best.x);
         let sets =
             all.map(|(own, x)| format!("parameters.{}={}", own.parameter.name, said(own, *x)));
         let sets = self.file.sets.iter().cloned().chain(sets).collect();

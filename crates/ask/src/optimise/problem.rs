@@ -36,7 +36,7 @@ pub struct Record {
 
 /// What a start has before it.
 pub struct Problem<'p> {
-    pub question: &'p Target,
+    pub target: &'p Target,
     pub variant: Guarded<'p, Share<'p>>,
     pub timing: Option<&'p Timing>,
     /// Size of each constraint's sides.
@@ -116,7 +116,7 @@ impl Problem<'_> {
 
     fn measured(&mut self, x: &[f64]) -> Found<Measured> {
         let mut measured = Measured::default();
-        if self.question.curve.is_some() {
+        if self.target.curve.is_some() {
             self.runs += 1;
             self.last.path = None;
             let (detail, call) = (self.detail, self.call);
@@ -133,8 +133,8 @@ impl Problem<'_> {
             }
         }
         // Responses are told in the end, and no search needs them.
-        let is_told = self.call == Call::Last && !self.question.responses.is_empty();
-        if self.question.aim == Aim::Curve && !is_told {
+        let is_told = self.call == Call::Last && !self.target.responses.is_empty();
+        if self.target.aim == Aim::Curve && !is_told {
             return Found::Some(measured);
         }
         self.runs += 1;
@@ -143,12 +143,12 @@ impl Problem<'_> {
         let all = match self.variant.find(|own| own.numbers(x, call)) {
             Found::Some(all) => all,
             // A path is one even where the model's own analysis has no end.
-            Found::None(_) if self.question.aim == Aim::Curve => return Found::Some(measured),
+            Found::None(_) if self.target.aim == Aim::Curve => return Found::Some(measured),
             Found::None(why) => return Found::None(why),
             Found::Stopped => return Found::Stopped,
         };
         self.take(&all, &mut measured);
-        if let Some(robust) = &self.question.robust {
+        if let Some(robust) = &self.target.robust {
             match self.scatter(x, &robust.scatter) {
                 Found::Some(deviation) => measured.deviation = Some(deviation),
                 Found::None(why) => return Found::None(why),
@@ -160,8 +160,8 @@ impl Problem<'_> {
 
     /// The numbers of a run.
     pub fn take(&self, all: &[f64], measured: &mut Measured) {
-        let first = usize::from(self.question.objective.is_some());
-        let needed = self.question.numbers();
+        let first = usize::from(self.target.objective.is_some());
+        let needed = self.target.numbers();
         if first == 1 {
             measured.objective = all[0];
         }
@@ -196,7 +196,7 @@ impl Problem<'_> {
 
     /// How far the points are from the path.
     pub fn distances(&self, nodes: &[Node]) -> Option<Vec<f64>> {
-        let curve = self.question.curve.as_ref()?;
+        let curve = self.target.curve.as_ref()?;
         if nodes.len() < 2 {
             return None;
         }
@@ -219,9 +219,9 @@ impl Problem<'_> {
 
     /// What is to be least: the objective with what robustness adds, or the squares of the distances by the size of the curve.
     pub fn value(&self, measured: &Measured) -> f64 {
-        match &self.question.objective {
+        match &self.target.objective {
             Some(aimed) => {
-                let sigmas = self.question.robust.as_ref().map_or(0.0, |own| own.sigmas);
+                let sigmas = self.target.robust.as_ref().map_or(0.0, |own| own.sigmas);
                 aimed.sign * measured.objective + sigmas * measured.deviation.unwrap_or(0.0)
             }
             None => {
@@ -241,8 +241,8 @@ impl Problem<'_> {
             Found::None(_) => return Outcome::Missing,
             Found::Stopped => return Outcome::Stopped,
         };
-        let differences = self.question.differences(&measured, self.scales);
-        Outcome::of(match self.question.aim {
+        let differences = self.target.differences(&measured, self.scales);
+        Outcome::of(match self.target.aim {
             Aim::Goal | Aim::Goals => differences,
             Aim::Curve => measured
                 .distances

@@ -42,7 +42,7 @@ pub struct Ended {
 
 /// What all starts share.
 pub struct Search<'s> {
-    pub question: &'s Target,
+    pub target: &'s Target,
     pub runs: &'s Runs,
     pub timing: Option<&'s Timing>,
     pub scales: Vec<f64>,
@@ -66,11 +66,9 @@ impl Search<'_> {
     /// # Errors
     /// More parameters than the starts can be spread over.
     pub fn run(&self, progress: &Progress) -> Result<Vec<Ended>, Unanswered> {
-        let count = match self.question.aim {
+        let count = match self.target.aim {
             Aim::Goal => 1,
-            Aim::Goals | Aim::Objective | Aim::Curve | Aim::ConstrainedCurve => {
-                self.question.starts
-            }
+            Aim::Goals | Aim::Objective | Aim::Curve | Aim::ConstrainedCurve => self.target.starts,
         };
         progress.note(0.0, count as f64);
         let done = AtomicU64::new(0);
@@ -88,16 +86,16 @@ impl Search<'_> {
     /// # Errors
     /// More parameters than the starts can be spread over.
     pub fn as_it_is(&mut self) -> Result<Found<Measured>, Unanswered> {
-        let all = self.question.variables.iter();
+        let all = self.target.variables.iter();
         let x: Vec<f64> = all.map(|own| own.parameter.value).collect();
-        self.scales = vec![1.0; self.question.constraints.len()];
+        self.scales = vec![1.0; self.target.constraints.len()];
         let found = self.problem(Detail::Fine, false).measure(&x);
         let mut known = match &found {
             Found::Some(measured) => Some(measured.clone()),
             Found::None(_) | Found::Stopped => None,
         };
-        if known.is_none() && self.question.aim != Aim::Goal {
-            let start = self.spread(0, self.question.curve.is_some());
+        if known.is_none() && self.target.aim != Aim::Goal {
+            let start = self.spread(0, self.target.curve.is_some());
             let mut points = start
                 .candidates(&self.bounds())
                 .map_err(too_many)?
@@ -120,11 +118,11 @@ impl Search<'_> {
 
     pub fn problem(&self, detail: Detail, keep: bool) -> Problem<'_> {
         Problem {
-            question: self.question,
+            target: self.target,
             variant: Guarded::new(|| self.runs.begin()),
             timing: self.timing,
             scales: &self.scales,
-            extent: self.question.extent(),
+            extent: self.target.extent(),
             detail,
             call: Call::OfSearch,
             runs: 0,
@@ -135,7 +133,7 @@ impl Search<'_> {
     }
 
     fn start(&self, number: u64) -> Result<Ended, Unanswered> {
-        match self.question.aim {
+        match self.target.aim {
             Aim::Goal => Ok(self.goal()),
             Aim::Goals | Aim::Curve => self.fit(number),
             Aim::Objective | Aim::ConstrainedCurve => self.optimise(number),
@@ -144,7 +142,7 @@ impl Search<'_> {
 
     /// The box, of goals without one that in which they are looked for.
     fn bounds(&self) -> Bounds {
-        let all = self.question.variables.iter();
+        let all = self.target.variables.iter();
         let ranges: Vec<[f64; 2]> = all
             .map(|own| own.range.unwrap_or_else(|| around(own.parameter.value)))
             .collect();
@@ -153,7 +151,7 @@ impl Search<'_> {
 
     /// The file's own values, where they are in the box.
     fn given(&self, number: u64, bounds: &Bounds) -> Option<Vec<f64>> {
-        let all = self.question.variables.iter();
+        let all = self.target.variables.iter();
         let x: Vec<f64> = all.map(|own| own.parameter.value).collect();
         let is_inside = |k: usize| (bounds.of(k)[0]..=bounds.of(k)[1]).contains(&x[k]);
         (number == 0 && (0..x.len()).all(is_inside)).then_some(x)
@@ -161,7 +159,7 @@ impl Search<'_> {
 
     fn goal(&self) -> Ended {
         let mut problem = self.problem(Detail::Coarse, self.keep);
-        let variable = &self.question.variables[0];
+        let variable = &self.target.variables[0];
         let value = variable.parameter.value;
         let [lower, upper] = variable.range.unwrap_or_else(|| around(value));
         let step = match (variable.range, value) {
@@ -203,7 +201,7 @@ impl Search<'_> {
     fn fit(&self, number: u64) -> Result<Ended, Unanswered> {
         let bounds = self.bounds();
         let given = self.given(number, &bounds);
-        let is_curve = self.question.curve.is_some();
+        let is_curve = self.target.curve.is_some();
         let mut problem = self.problem(Detail::Coarse, self.keep);
         let settings = least_squares::Settings {
             enough: if is_curve { ON_CURVE[0] } else { ENOUGH },
@@ -255,10 +253,10 @@ impl Search<'_> {
     fn optimise(&self, number: u64) -> Result<Ended, Unanswered> {
         let bounds = self.bounds();
         let given = self.given(number, &bounds);
-        let kinds = self.question.kinds();
+        let kinds = self.target.kinds();
         let mut problem = self.problem(Detail::Fine, self.keep);
         let settings = constrained::Settings::default();
-        let start = self.spread(number, self.question.curve.is_some());
+        let start = self.spread(number, self.target.curve.is_some());
         let mut f = Searched(&mut problem);
         let found = start::optimise(&mut f, &kinds, &bounds, &start, given.as_deref(), &settings)
             .map_err(too_many)?;
@@ -295,8 +293,8 @@ impl Search<'_> {
 
     /// How wide a start looks: paths have many more valleys than other numbers.
     fn spread(&self, number: u64, is_curve: bool) -> Start {
-        let variables = self.question.variables.len() as u64;
-        let is_fit = matches!(self.question.aim, Aim::Goals | Aim::Curve);
+        let variables = self.target.variables.len() as u64;
+        let is_fit = matches!(self.target.aim, Aim::Goals | Aim::Curve);
         let (points, descents) = match (is_curve, is_fit) {
             (true, true) => (64 * variables, 60),
             (true, false) => (64 * variables, 4),
@@ -304,7 +302,7 @@ impl Search<'_> {
             (false, false) => (16 * variables, 1),
         };
         Start {
-            seed: self.question.seed,
+            seed: self.target.seed,
             number,
             points,
             descents,
@@ -320,7 +318,7 @@ impl Search<'_> {
         x: Option<Vec<f64>>,
         (slope, multipliers): (Option<f64>, Vec<f64>),
     ) -> Ended {
-        let variables = self.question.variables.iter();
+        let variables = self.target.variables.iter();
         let nominal = || variables.map(|own| own.parameter.value).collect();
         let is_there = x.is_some();
         let x: Vec<f64> = x.unwrap_or_else(nominal);
@@ -336,8 +334,8 @@ impl Search<'_> {
             .as_ref()
             .map_or(f64::INFINITY, |own| problem.value(own));
         let violation = measured.as_ref().map_or(f64::INFINITY, |own| {
-            let differences = self.question.differences(own, &self.scales);
-            let kinds = self.question.kinds();
+            let differences = self.target.differences(own, &self.scales);
+            let kinds = self.target.kinds();
             let all = kinds
                 .iter()
                 .zip(differences)

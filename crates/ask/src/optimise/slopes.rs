@@ -64,7 +64,7 @@ impl Evaluate for Searched<'_, '_> {
 impl Problem<'_> {
     /// Over what change of each parameter the mechanism changes much.
     fn lengths(&self, x: &[f64]) -> Vec<f64> {
-        let all = self.question.variables.iter().zip(x);
+        let all = self.target.variables.iter().zip(x);
         all.map(|(own, x)| match own.range {
             Some([lower, upper]) => {
                 let width = upper - lower;
@@ -78,13 +78,13 @@ impl Problem<'_> {
 
     /// Counts what derivatives come from.
     fn count(&mut self, slopes: Option<&[f64]>, columns: usize) {
-        let numbers = match self.question.aim {
-            Aim::Goal | Aim::Goals => self.question.constraints.len(),
+        let numbers = match self.target.aim {
+            Aim::Goal | Aim::Goals => self.target.constraints.len(),
             Aim::Curve => 1,
-            Aim::Objective | Aim::ConstrainedCurve => 1 + self.question.constraints.len(),
+            Aim::Objective | Aim::ConstrainedCurve => 1 + self.target.constraints.len(),
         };
         let columns = columns.max(1);
-        match (slopes, self.question.aim) {
+        match (slopes, self.target.aim) {
             (None, _) => (0..numbers).for_each(|number| self.derivatives.count(number, false)),
             (Some(slopes), Aim::Curve) => {
                 let is_exact = slopes.iter().all(|own| own.is_finite());
@@ -102,30 +102,24 @@ impl Problem<'_> {
     /// Derivatives of what [`Problem::outcome`] gives, a row for each value; NaN where one is not known.
     fn slopes(&mut self, x: &[f64]) -> Option<Vec<f64>> {
         let lengths = self.lengths(x);
-        let distances = match self.question.curve.is_some() {
+        let distances = match self.target.curve.is_some() {
             true => self.path_slopes(x, &lengths),
             false => None,
         };
-        if self.question.aim == Aim::Curve {
+        if self.target.aim == Aim::Curve {
             let extent = self.extent;
             return distances.map(|all| all.into_iter().map(|own| own / extent).collect());
         }
         let numbers = self.number_slopes(x, &lengths);
         let mut rows = Vec::new();
-        match self.question.aim {
+        match self.target.aim {
             Aim::Objective => rows.extend(self.objective_slopes(&numbers, x, &lengths)),
             Aim::ConstrainedCurve => rows.extend(self.square_slopes(distances, x.len())),
             Aim::Goal | Aim::Goals | Aim::Curve => {}
         }
-        let first = usize::from(self.question.objective.is_some());
+        let first = usize::from(self.target.objective.is_some());
         let row = |number: usize| &numbers[number * x.len()..(number + 1) * x.len()];
-        for (k, (one, scale)) in self
-            .question
-            .constraints
-            .iter()
-            .zip(self.scales)
-            .enumerate()
-        {
+        for (k, (one, scale)) in self.target.constraints.iter().zip(self.scales).enumerate() {
             let sign = match one.relation {
                 Relation::Equal | Relation::AtMost => 1.0,
                 Relation::AtLeast => -1.0,
@@ -143,15 +137,15 @@ impl Problem<'_> {
             self.measure(x);
         }
         let slopes = self.variant.ask(|own| own.slopes(x, lengths));
-        slopes.unwrap_or_else(|_| vec![f64::NAN; self.question.numbers() * x.len()])
+        slopes.unwrap_or_else(|_| vec![f64::NAN; self.target.numbers() * x.len()])
     }
 
     /// Of the objective, with what tolerances add.
     fn objective_slopes(&mut self, numbers: &[f64], x: &[f64], lengths: &[f64]) -> Vec<f64> {
-        let question = self.question;
-        let sign = question.objective.as_ref().map_or(1.0, |own| own.sign);
+        let target = self.target;
+        let sign = target.objective.as_ref().map_or(1.0, |own| own.sign);
         let mut slopes: Vec<f64> = numbers[..x.len()].iter().map(|own| sign * own).collect();
-        if let Some(robust) = &question.robust {
+        if let Some(robust) = &target.robust {
             let found = self.deviation_slopes(x, lengths, &robust.scatter);
             let added = found.unwrap_or_else(|| vec![f64::NAN; x.len()]);
             let both = slopes.iter_mut().zip(added);
@@ -213,7 +207,7 @@ impl Problem<'_> {
             }
         }
         let (_, nodes) = self.last.path.as_ref()?;
-        let through = &self.question.curve.as_ref()?.through;
+        let through = &self.target.curve.as_ref()?.through;
         let n = x.len();
         let Some(timing) = self.timing else {
             let feet: Vec<_> = through.iter().map(|point| foot(nodes, *point)).collect();

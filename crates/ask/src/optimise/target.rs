@@ -121,7 +121,7 @@ impl Target {
         let first = usize::from(sought.is_some());
         let constraints = asked.constraints.iter().enumerate();
         let own = list.iter().filter(|one| !one.name.starts_with(OWN));
-        let question = Target {
+        let target = Target {
             aim: aim(asked),
             variables: variables(asked, file),
             objective: sought.map(|(sought, sign)| Aimed {
@@ -147,8 +147,8 @@ impl Target {
                 .map(|one| (one.name.clone(), one.unit.clone()))
                 .collect(),
         };
-        question.check()?;
-        Ok((question, with))
+        target.check()?;
+        Ok((target, with))
     }
 
     /// How many numbers the search needs of a run.

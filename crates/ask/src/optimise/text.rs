@@ -16,13 +16,13 @@ const FEW: usize = 2;
 impl Optimised {
     /// What was found, in words.
     pub fn text(&self) -> Page {
-        let question = &self.question;
+        let target = &self.target;
         let display = &self.file.model().display;
         let mut page = Page::default();
         let runs = count(self.runs as usize, "evaluation");
         page.line(format!("{}: {}, {runs}", self.file.name(), verdict(self)));
         if let Some((best, measured)) = self.best() {
-            let all = question.variables.iter().zip(&best.x).enumerate();
+            let all = target.variables.iter().zip(&best.x).enumerate();
             let design = all.map(|(k, (own, x))| {
                 let (name, unit) = (&own.parameter.name, &own.parameter.unit);
                 let before = value(own.parameter.value, unit, display);
@@ -33,14 +33,14 @@ impl Optimised {
             });
             page.rows("design", design);
             aims(&mut page, self, best, measured, display);
-            let responses = question.responses.iter().zip(&measured.responses);
+            let responses = target.responses.iter().zip(&measured.responses);
             let told_of = |((name, unit), own): (&(String, String), &f64)| match own.is_finite() {
                 true => format!("{name} = {}", value(*own, unit, display)),
                 false => format!("{name}: none"),
             };
             page.rows("responses", responses.map(told_of));
         }
-        if question.aim != Aim::Goal {
+        if target.aim != Aim::Goal {
             page.row("starts", starts(self));
             if let Some(from) = derivatives(self) {
                 page.row("derivatives", from);
@@ -53,13 +53,13 @@ impl Optimised {
 
 /// How it ended.
 fn verdict(told: &Optimised) -> String {
-    let question = &told.question;
-    let what = match (&question.objective, &question.curve) {
+    let target = &told.target;
+    let what = match (&target.objective, &target.curve) {
         (Some(aimed), _) if aimed.sign > 0.0 => format!("least {}", aimed.text),
         (Some(aimed), _) => format!("greatest {}", aimed.text),
         (None, Some(curve)) => format!("path of {}", curve.point),
         (None, None) => {
-            let all = question.constraints.iter().map(|one| one.text.as_str());
+            let all = target.constraints.iter().map(|one| one.text.as_str());
             all.collect::<Vec<_>>().join(", ")
         }
     };
@@ -79,14 +79,14 @@ fn aims(
     measured: &Measured,
     display: &DisplayUnits,
 ) {
-    let question = &told.question;
-    if let Some(aimed) = &question.objective {
+    let target = &told.target;
+    if let Some(aimed) = &target.objective {
         let mut text = format!(
             "{} = {}",
             aimed.text,
             value(measured.objective, &aimed.unit, display)
         );
-        if let (Some(robust), Some(deviation)) = (&question.robust, measured.deviation) {
+        if let (Some(robust), Some(deviation)) = (&target.robust, measured.deviation) {
             let sign = if aimed.sign > 0.0 { '+' } else { '−' };
             text += &format!(
                 "; {sign} {} σ of {} = {}",
@@ -97,7 +97,7 @@ fn aims(
         }
         page.row("objective", text);
     }
-    let constraints = question.constraints.iter().zip(&measured.sides).enumerate();
+    let constraints = target.constraints.iter().zip(&measured.sides).enumerate();
     page.rows(
         "constraints",
         constraints.map(|(k, (one, sides))| {
@@ -112,7 +112,7 @@ fn aims(
             format!("{}: {left}, {state}", one.text)
         }),
     );
-    if let (Some(curve), Some([most, mean])) = (&question.curve, told.distances(measured)) {
+    if let (Some(curve), Some([most, mean])) = (&target.curve, told.distances(measured)) {
         let (most, mean) = (display.length(most), display.length(mean));
         let points = curve.through.len();
         page.row(
@@ -173,7 +173,7 @@ fn others(page: &mut Page, told: &Optimised, display: &DisplayUnits) {
     let mut rows: Vec<String> = others
         .take(MOST)
         .map(|own| {
-            let all = told.question.variables.iter().zip(&own.x);
+            let all = told.target.variables.iter().zip(&own.x);
             let all = all.map(|(own, x)| {
                 format!(
                     "{} = {}",

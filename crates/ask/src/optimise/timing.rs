@@ -30,8 +30,8 @@ impl Timing {
     ///
     /// # Errors
     /// A model that can't be put together as it is, and values that lie on both sides of where a slide starts.
-    pub fn new(file: &ModelFile, question: &Target) -> Result<Option<Self>, Unanswered> {
-        let Some((curve, at)) = question
+    pub fn new(file: &ModelFile, target: &Target) -> Result<Option<Self>, Unanswered> {
+        let Some((curve, at)) = target
             .curve
             .as_ref()
             .and_then(|own| Some((own, own.at.as_ref()?)))

@@ -81,18 +81,18 @@ impl Runs {
     /// # Errors
     /// A path that the model does not have.
     pub fn new(
-        question: &Target,
+        target: &Target,
         file: &ModelFile,
         plain: &ModelFile,
         timing: Option<&Timing>,
         interrupted: Arc<AtomicBool>,
     ) -> Result<Self, Unanswered> {
-        let variables = question.variables.iter().map(|own| &own.parameter);
+        let variables = target.variables.iter().map(|own| &own.parameter);
         let names: Vec<&str> = variables.clone().map(|own| own.name.as_str()).collect();
         let refuse = |complaints| file.refused(complaints);
         let mut paths = Vec::new();
         let mut path_family = None;
-        if let Some(point) = question.point() {
+        if let Some(point) = target.point() {
             let of_path = |rows: usize| sets(file.model(), point, timing, rows);
             let places = ["x", "y"].into_iter().enumerate();
             let places = places.map(|(k, axis)| format!("responses.{OWN}{k}=last({point}.{axis})"));
@@ -108,8 +108,7 @@ impl Runs {
         let all = values.responses().list().iter().enumerate();
         let (own, others): (Vec<_>, Vec<_>) = all.partition(|(_, one)| one.name.starts_with(OWN));
         let nominal = variables.map(|own| own.value).collect();
-        let deviations =
-            Deviations::new(&file.loaded, &names, nominal, question).map_err(refuse)?;
+        let deviations = Deviations::new(&file.loaded, &names, nominal, target).map_err(refuse)?;
         Ok(Runs {
             own: own.into_iter().map(|(place, _)| place).collect(),
             others: others.into_iter().map(|(place, _)| place).collect(),
@@ -117,9 +116,7 @@ impl Runs {
             deviations,
             path: path_family,
             paths: paths.try_into().ok(),
-            point: question
-                .point()
-                .map_or_else(String::new, ToString::to_string),
+            point: target.point().map_or_else(String::new, ToString::to_string),
             interrupted,
         })
     }
@@ -178,9 +175,9 @@ impl Deviations {
         loaded: &Loaded,
         names: &[&str],
         nominal: Vec<f64>,
-        question: &Target,
+        target: &Target,
     ) -> Result<Option<Self>, Complaints> {
-        let Some(robust) = &question.robust else {
+        let Some(robust) = &target.robust else {
             return Ok(None);
         };
         let mut all = names.to_vec();
