@@ -169,7 +169,7 @@ impl Studied {
     fn new(studied: &study::Studied, page: Option<String>) -> Self {
         Studied {
             json: studies::text(studied),
-            text: studied.text().text().to_owned(),
+            text: studied.text().to_string(),
             page,
         }
     }
@@ -192,7 +192,7 @@ pub fn json(answer: &impl serde::Serialize) -> String {
 
 /// An answer in words.
 pub fn words(page: linkdyn_ask::text::Page) -> String {
-    page.text().to_owned()
+    page.to_string()
 }
 
 /// The mechanism of a model that a question gave.

@@ -4,7 +4,7 @@ pub mod responses;
 pub mod words;
 
 use std::borrow::Cow;
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
 pub use linkdyn_model::display::number;
 
@@ -39,6 +39,12 @@ impl Page {
     /// What there is so far.
     pub fn text(&self) -> &str {
         &self.0
+    }
+}
+
+impl fmt::Display for Page {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
     }
 }
 
