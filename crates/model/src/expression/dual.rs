@@ -4,7 +4,7 @@
 
 use std::cmp::Ordering;
 
-use super::number::{Number, Real};
+use super::number::{Binary, Number, Real, Unary};
 
 /// Partial derivatives, by the index of a parameter in rising order; those that are left out are zero.
 pub type Gradient<T> = Vec<(usize, T)>;
@@ -25,59 +25,7 @@ impl<T: Real> Dual<T> {
             value: by.clone(),
             slope: Ok(vec![(index, T::of(1.0))]),
         };
-        Number::add(&self, &own)
-    }
-
-    /// Whether nothing changes it.
-    fn is_constant(&self) -> bool {
-        matches!(&self.slope, Ok(gradient) if gradient.is_empty())
-    }
-
-    /// A function of it, with its derivative there.
-    fn map(&self, value: T, derivative: impl FnOnce() -> Result<T, &'static str>) -> Self {
-        let slope = match &self.slope {
-            Err(reason) => Err(*reason),
-            Ok(gradient) if gradient.is_empty() => Ok(Vec::new()),
-            Ok(gradient) => derivative().map(|by| scaled(gradient, &by)),
-        };
-        Dual { value, slope }
-    }
-
-    /// A function of two, with its derivatives by both.
-    fn both(
-        &self,
-        other: &Self,
-        value: T,
-        derivatives: impl FnOnce() -> Result<[T; 2], &'static str>,
-    ) -> Self {
-        let slope = match (&self.slope, &other.slope) {
-            (Err(reason), _) | (_, Err(reason)) => Err(*reason),
-            (Ok(one), Ok(two)) if one.is_empty() && two.is_empty() => Ok(Vec::new()),
-            (Ok(one), Ok(two)) => derivatives()
-                .map(|[by_one, by_two]| sum(scaled(one, &by_one), scaled(two, &by_two))),
-        };
-        Dual { value, slope }
-    }
-
-    /// One of two, where it is sure which.
-    fn choose(&self, other: &Self, value: T, first: bool, reason: &'static str) -> Self {
-        let slope = match self.value.order(&other.value) {
-            _ if self.is_constant() && other.is_constant() => Ok(Vec::new()),
-            Some(Ordering::Less | Ordering::Greater) if first => self.slope.clone(),
-            Some(Ordering::Less | Ordering::Greater) => other.slope.clone(),
-            Some(Ordering::Equal) | None => Err(reason),
-        };
-        Dual { value, slope }
-    }
-
-    /// A function that is flat but where it jumps.
-    fn flat(&self, value: T, jumps: bool, reason: &'static str) -> Self {
-        let slope = match &self.slope {
-            Err(reason) => Err(*reason),
-            Ok(gradient) if jumps && !gradient.is_empty() => Err(reason),
-            Ok(_) => Ok(Vec::new()),
-        };
-        Dual { value, slope }
+        self.add(&own)
     }
 }
 
@@ -136,159 +84,123 @@ impl<T: Real> Number for Dual<T> {
     fn nearly(&self) -> Option<f64> {
         self.value.nearly()
     }
-    fn negate(&self) -> Self {
-        self.map(self.value.negate(), || Ok(T::of(-1.0)))
+    fn one(&self, function: Unary) -> Self {
+        let value = self.value.one(function);
+        let slope = match &self.slope {
+            Err(reason) => Err(*reason),
+            Ok(gradient) if gradient.is_empty() => Ok(Vec::new()),
+            Ok(gradient) => derivative(function, &self.value, &value)
+                .map(|by| by.map_or_else(Vec::new, |by| scaled(gradient, &by))),
+        };
+        Dual { value, slope }
     }
-    fn add(&self, other: &Self) -> Self {
-        let value = self.value.add(&other.value);
-        self.both(other, value, || Ok([T::of(1.0), T::of(1.0)]))
+    fn two(&self, other: &Self, function: Binary) -> Self {
+        let (x, y) = (&self.value, &other.value);
+        let value = x.two(y, function);
+        let both = [&self.slope, &other.slope];
+        // one of two, where it is sure which
+        let chosen = match function {
+            Binary::Min => Some((Ordering::Less, "min has a kink where two are equal")),
+            Binary::Max => Some((Ordering::Greater, "max has a kink where two are equal")),
+            _ => None,
+        };
+        let slope = match (both, chosen) {
+            ([Ok(one), Ok(two)], _) if one.is_empty() && two.is_empty() => Ok(Vec::new()),
+            ([one, two], Some((wanted, reason))) => match x.order(y) {
+                Some(Ordering::Equal) | None => Err(reason),
+                Some(order) if order == wanted => one.clone(),
+                Some(_) => two.clone(),
+            },
+            ([Err(reason), _] | [_, Err(reason)], None) => Err(*reason),
+            ([Ok(one), Ok(two)], None) if function == Binary::Power && two.is_empty() => {
+                by_base(x, y).map(|by| scaled(one, &by))
+            }
+            ([Ok(one), Ok(two)], None) => derivatives(function, [x, y], &value)
+                .map(|[by_one, by_two]| sum(scaled(one, &by_one), scaled(two, &by_two))),
+        };
+        Dual { value, slope }
     }
-    fn subtract(&self, other: &Self) -> Self {
-        let value = self.value.subtract(&other.value);
-        self.both(other, value, || Ok([T::of(1.0), T::of(-1.0)]))
-    }
-    fn multiply(&self, other: &Self) -> Self {
-        let value = self.value.multiply(&other.value);
-        self.both(other, value, || {
-            Ok([other.value.clone(), self.value.clone()])
-        })
-    }
-    fn divide(&self, other: &Self) -> Self {
-        let value = self.value.divide(&other.value);
-        let quotient = value.clone();
-        self.both(other, value, || {
-            let by = T::of(1.0).divide(&other.value);
-            Ok([by, quotient.divide(&other.value).negate()])
-        })
-    }
-    fn power(&self, exponent: &Self) -> Self {
-        let value = self.value.power(&exponent.value);
-        if !exponent.is_constant() {
-            let power = value.clone();
-            return self.both(exponent, value, || {
-                if self.value.is_negative() || self.value.is_zero() {
-                    return Err("a power of a base that is not above zero, whose exponent changes");
-                }
-                let by_base = exponent.value.multiply(&power).divide(&self.value);
-                Ok([by_base, power.multiply(&self.value.ln())])
-            });
+}
+
+/// The derivative of a function, with its value there; none of one that is flat.
+fn derivative<T: Real>(function: Unary, x: &T, value: &T) -> Result<Option<T>, &'static str> {
+    let one = T::of(1.0);
+    let flat = |jumps: bool, reason| if jumps { Err(reason) } else { Ok(None) };
+    let found = match function {
+        Unary::Negate => T::of(-1.0),
+        Unary::Sqrt if value.is_zero() || x.is_zero() => return Err("a root of zero"),
+        Unary::Sqrt => T::of(0.5).divide(value),
+        Unary::Abs => match x.order(&T::of(0.0)) {
+            Some(Ordering::Less) => T::of(-1.0),
+            Some(Ordering::Greater) => one,
+            Some(Ordering::Equal) | None => return Err("abs has a kink at zero"),
+        },
+        Unary::Sin => x.one(Unary::Cos),
+        Unary::Cos => x.one(Unary::Sin).negate(),
+        Unary::Tan => one.add(&value.square()),
+        Unary::Asin => by_inverse_sine(x)?,
+        Unary::Acos => by_inverse_sine(x)?.negate(),
+        Unary::Atan => one.divide(&one.add(&x.square())),
+        Unary::Exp => value.clone(),
+        Unary::Ln => one.divide(x),
+        Unary::Floor => return flat(x.jumps(0.0), "floor jumps here"),
+        Unary::Ceil => return flat(x.jumps(0.0), "ceil jumps here"),
+        Unary::Round => return flat(x.jumps(0.5), "round jumps here"),
+        Unary::Step => return flat(x.is_zero(), "step jumps here"),
+    };
+    Ok(Some(found))
+}
+
+/// The derivatives of a function by both numbers, with its value there.
+fn derivatives<T: Real>(
+    function: Binary,
+    [x, y]: [&T; 2],
+    value: &T,
+) -> Result<[T; 2], &'static str> {
+    let one = T::of(1.0);
+    Ok(match function {
+        Binary::Add => [one.clone(), one],
+        Binary::Subtract => [one, T::of(-1.0)],
+        Binary::Multiply => [y.clone(), x.clone()],
+        Binary::Divide => [one.divide(y), value.divide(y).negate()],
+        Binary::Power if x.is_negative() || x.is_zero() => {
+            return Err("a power of a base that is not above zero, whose exponent changes");
         }
-        self.map(value, || {
-            let less = exponent.value.subtract(&T::of(1.0));
-            let is_steep = less.is_negative() && exponent.single() != Some(0.0);
-            if self.value.is_zero() && is_steep {
-                return Err("a root of zero");
-            }
-            Ok(exponent.value.multiply(&self.value.power(&less)))
-        })
+        Binary::Power => {
+            let by_base = y.multiply(value).divide(x);
+            [by_base, value.multiply(&x.one(Unary::Ln))]
+        }
+        Binary::Hypot if value.is_zero() => return Err("hypot has a kink at zero"),
+        Binary::Hypot => [x.divide(value), y.divide(value)],
+        Binary::Atan2 if x.is_zero() && (y.is_negative() || y.is_zero()) => {
+            return Err("atan2 jumps where its vector points to the left");
+        }
+        Binary::Atan2 => {
+            let square = x.square().add(&y.square());
+            [y.divide(&square), x.divide(&square).negate()]
+        }
+        // the derivative of the one that is chosen
+        Binary::Min | Binary::Max => return Err("this is one of both"),
+    })
+}
+
+/// The derivative of a power whose exponent does not change.
+fn by_base<T: Real>(base: &T, exponent: &T) -> Result<T, &'static str> {
+    let less = exponent.subtract(&T::of(1.0));
+    let is_steep = less.is_negative() && exponent.single() != Some(0.0);
+    if base.is_zero() && is_steep {
+        return Err("a root of zero");
     }
-    fn sqrt(&self) -> Self {
-        let root = self.value.sqrt();
-        self.map(root.clone(), || {
-            match root.is_zero() || self.value.is_zero() {
-                true => Err("a root of zero"),
-                false => Ok(T::of(0.5).divide(&root)),
-            }
-        })
-    }
-    fn abs(&self) -> Self {
-        let sign = self.value.order(&T::of(0.0));
-        self.map(self.value.abs(), || match sign {
-            Some(Ordering::Less) => Ok(T::of(-1.0)),
-            Some(Ordering::Greater) => Ok(T::of(1.0)),
-            Some(Ordering::Equal) | None => Err("abs has a kink at zero"),
-        })
-    }
-    fn min(&self, other: &Self) -> Self {
-        let first = self.value.order(&other.value) == Some(Ordering::Less);
-        let value = self.value.min(&other.value);
-        self.choose(other, value, first, "min has a kink where two are equal")
-    }
-    fn max(&self, other: &Self) -> Self {
-        let first = self.value.order(&other.value) == Some(Ordering::Greater);
-        let value = self.value.max(&other.value);
-        self.choose(other, value, first, "max has a kink where two are equal")
-    }
-    fn hypot(&self, other: &Self) -> Self {
-        let length = self.value.hypot(&other.value);
-        self.both(other, length.clone(), || match length.is_zero() {
-            true => Err("hypot has a kink at zero"),
-            false => Ok([self.value.divide(&length), other.value.divide(&length)]),
-        })
-    }
-    fn atan2(&self, x: &Self) -> Self {
-        let value = self.value.atan2(&x.value);
-        self.both(x, value, || {
-            let is_left = x.value.is_negative() || x.value.is_zero();
-            if self.value.is_zero() && is_left {
-                return Err("atan2 jumps where its vector points to the left");
-            }
-            let two = T::of(2.0);
-            let square = self.value.power(&two).add(&x.value.power(&two));
-            let by_y = x.value.divide(&square);
-            Ok([by_y, self.value.divide(&square).negate()])
-        })
-    }
-    fn sin(&self) -> Self {
-        self.map(self.value.sin(), || Ok(self.value.cos()))
-    }
-    fn cos(&self) -> Self {
-        self.map(self.value.cos(), || Ok(self.value.sin().negate()))
-    }
-    fn tan(&self) -> Self {
-        let tan = self.value.tan();
-        self.map(tan.clone(), || Ok(T::of(1.0).add(&tan.power(&T::of(2.0)))))
-    }
-    fn asin(&self) -> Self {
-        self.map(self.value.asin(), || self.value.by_inverse_sine())
-    }
-    fn acos(&self) -> Self {
-        self.map(self.value.acos(), || {
-            self.value.by_inverse_sine().map(|by| by.negate())
-        })
-    }
-    fn atan(&self) -> Self {
-        let square = || self.value.power(&T::of(2.0));
-        self.map(self.value.atan(), || {
-            Ok(T::of(1.0).divide(&T::of(1.0).add(&square())))
-        })
-    }
-    fn exp(&self) -> Self {
-        let value = self.value.exp();
-        self.map(value.clone(), || Ok(value))
-    }
-    fn ln(&self) -> Self {
-        self.map(self.value.ln(), || Ok(T::of(1.0).divide(&self.value)))
-    }
-    fn floor(&self) -> Self {
-        let jumps = self.value.jumps(0.0);
-        self.flat(self.value.floor(), jumps, "floor jumps here")
-    }
-    fn ceil(&self) -> Self {
-        let jumps = self.value.jumps(0.0);
-        self.flat(self.value.ceil(), jumps, "ceil jumps here")
-    }
-    fn round(&self) -> Self {
-        let jumps = self.value.jumps(0.5);
-        self.flat(self.value.round(), jumps, "round jumps here")
-    }
-    fn step(&self) -> Self {
-        let jumps = self.value.is_zero();
-        self.flat(self.value.step(), jumps, "step jumps here")
-    }
+    Ok(exponent.multiply(&base.two(&less, Binary::Power)))
 }
 
 /// The derivative of the inverse sine.
-trait InverseSine: Real {
-    fn by_inverse_sine(&self) -> Result<Self, &'static str> {
-        // (1 − x)(1 + x) keeps the digits near one
-        let one = Self::of(1.0);
-        let square = one.subtract(self).multiply(&one.add(self));
-        if square.is_zero() || square.is_negative() {
-            return Err("asin and acos are infinitely steep at -1 and 1");
-        }
-        Ok(one.divide(&square.sqrt()))
+fn by_inverse_sine<T: Real>(x: &T) -> Result<T, &'static str> {
+    // (1 − x)(1 + x) keeps the digits near one
+    let one = T::of(1.0);
+    let square = one.subtract(x).multiply(&one.add(x));
+    if square.is_zero() || square.is_negative() {
+        return Err("asin and acos are infinitely steep at -1 and 1");
     }
+    Ok(one.divide(&square.one(Unary::Sqrt)))
 }
-
-impl<T: Real> InverseSine for T {}

@@ -10,7 +10,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::number::{Number, Real};
+use super::number::{Binary, Number, Real, Unary};
 
 /// Below this products and quotients may have lost digits, and are not taken for exact.
 const TINY: f64 = 1e-280;
@@ -106,8 +106,8 @@ impl Interval {
     }
 
     /// A function that grows, from a library that errs by less than a unit in the last place.
-    fn growing(&self, function: fn(f64) -> f64) -> Interval {
-        Interval::around(function(self.least), function(self.most))
+    fn growing(&self, function: Unary) -> Interval {
+        Interval::around(self.least.one(function), self.most.one(function))
     }
 
     /// Two doubles further out.
@@ -166,6 +166,54 @@ impl Interval {
             ends
         }
     }
+
+    /// The ends of both.
+    fn pairs(&self, other: &Interval) -> [(f64, f64); 4] {
+        [
+            (self.least, other.least),
+            (self.least, other.most),
+            (self.most, other.least),
+            (self.most, other.most),
+        ]
+    }
+
+    /// What is greatest and least at the ends of both, each with its error.
+    fn corners(&self, other: &Interval, corner: fn(f64, f64) -> (f64, f64)) -> Interval {
+        hull(self.pairs(other).map(|(a, b)| corner(a, b)))
+    }
+
+    fn root(&self) -> Interval {
+        let root = |value: f64| {
+            let root = f64::sqrt(value);
+            let is_exact = value == 0.0 || (value > TINY && root.mul_add(root, -value) == 0.0);
+            (root, if is_exact { 0.0 } else { 1.0 })
+        };
+        let ((least, first), (most, last)) = (root(self.least), root(self.most));
+        if least.is_nan() || most.is_nan() {
+            return Interval::EVERYTHING;
+        }
+        Interval::new(below(least, first), above(most, last))
+    }
+
+    fn power(&self, exponent: &Interval) -> Interval {
+        match exponent.single() {
+            Some(0.0) => return Interval::of(1.0),
+            Some(1.0) => return *self,
+            Some(2.0) => {
+                // both factors are the same number
+                let square = self.one(Unary::Abs);
+                return square.multiply(&square);
+            }
+            Some(whole) if whole.fract() == 0.0 => return self.whole_power(whole),
+            Some(_) | None => {}
+        }
+        if self.least < 0.0 {
+            return Interval::EVERYTHING;
+        }
+        // monotone in the base and in the exponent, so that the corners are the extremes
+        let ends = self.corners(exponent, |base, exponent| (base.powf(exponent), 1.0));
+        Interval::new(ends.least.next_down().max(0.0), ends.most.next_up())
+    }
 }
 
 impl Number for Interval {
@@ -193,152 +241,63 @@ impl Number for Interval {
     fn nearly(&self) -> Option<f64> {
         (self.most - self.least <= ROUNDING).then(|| self.shown())
     }
-    fn negate(&self) -> Interval {
-        Interval::new(-self.most, -self.least)
-    }
-    fn add(&self, other: &Interval) -> Interval {
-        let (least, most) = (self.least + other.least, self.most + other.most);
-        Interval {
-            least: below(least, sum_error(self.least, other.least, least)),
-            most: above(most, sum_error(self.most, other.most, most)),
-        }
-    }
-    fn subtract(&self, other: &Interval) -> Interval {
-        self.add(&other.negate())
-    }
-    fn multiply(&self, other: &Interval) -> Interval {
-        let corner = |a: f64, b: f64| (a * b, product_error(a, b, a * b));
-        hull([
-            corner(self.least, other.least),
-            corner(self.least, other.most),
-            corner(self.most, other.least),
-            corner(self.most, other.most),
-        ])
-    }
-    fn divide(&self, other: &Interval) -> Interval {
-        if other.is_zero() {
-            return Interval::EVERYTHING;
-        }
-        let corner = |a: f64, b: f64| (a / b, quotient_error(a, b, a / b));
-        hull([
-            corner(self.least, other.least),
-            corner(self.least, other.most),
-            corner(self.most, other.least),
-            corner(self.most, other.most),
-        ])
-    }
-    fn power(&self, exponent: &Interval) -> Interval {
-        match exponent.single() {
-            Some(0.0) => return Interval::of(1.0),
-            Some(1.0) => return *self,
-            Some(2.0) => {
-                // both factors are the same number
-                let square = self.abs();
-                return square.multiply(&square);
+    fn one(&self, function: Unary) -> Interval {
+        match function {
+            Unary::Negate => Interval::new(-self.most, -self.least),
+            Unary::Sqrt => self.root(),
+            Unary::Abs if self.least >= 0.0 => *self,
+            Unary::Abs if self.most <= 0.0 => self.negate(),
+            Unary::Abs => Interval::new(0.0, self.most.max(-self.least)),
+            Unary::Sin => self.wave(f64::sin, FRAC_PI_2),
+            Unary::Cos => self.wave(f64::cos, 0.0),
+            Unary::Tan => {
+                let is_far = self.least.abs() > LARGE || self.most.abs() > LARGE;
+                if is_far || self.may_hold(FRAC_PI_2) || self.may_hold(-FRAC_PI_2) {
+                    return Interval::EVERYTHING;
+                }
+                self.growing(function)
             }
-            Some(whole) if whole.fract() == 0.0 => return self.whole_power(whole),
-            Some(_) | None => {}
-        }
-        if self.least < 0.0 {
-            return Interval::EVERYTHING;
-        }
-        // monotone in the base and in the exponent, so that the corners are the extremes
-        let corner = |base: f64, exponent: f64| (base.powf(exponent), 1.0);
-        let ends = hull([
-            corner(self.least, exponent.least),
-            corner(self.least, exponent.most),
-            corner(self.most, exponent.least),
-            corner(self.most, exponent.most),
-        ]);
-        Interval::new(ends.least.next_down().max(0.0), ends.most.next_up())
-    }
-    fn sqrt(&self) -> Interval {
-        let root = |value: f64| {
-            let root = f64::sqrt(value);
-            let is_exact = value == 0.0 || (value > TINY && root.mul_add(root, -value) == 0.0);
-            (root, if is_exact { 0.0 } else { 1.0 })
-        };
-        let ((least, first), (most, last)) = (root(self.least), root(self.most));
-        if least.is_nan() || most.is_nan() {
-            return Interval::EVERYTHING;
-        }
-        Interval::new(below(least, first), above(most, last))
-    }
-    fn abs(&self) -> Interval {
-        if self.least >= 0.0 {
-            *self
-        } else if self.most <= 0.0 {
-            self.negate()
-        } else {
-            Interval::new(0.0, self.most.max(-self.least))
+            Unary::Acos => Interval::around(self.most.acos(), self.least.acos()),
+            Unary::Asin | Unary::Atan | Unary::Ln => self.growing(function),
+            Unary::Exp => {
+                let ends = self.growing(function);
+                Interval::new(ends.least.max(0.0), ends.most)
+            }
+            Unary::Floor | Unary::Ceil | Unary::Round | Unary::Step => {
+                Interval::new(self.least.one(function), self.most.one(function))
+            }
         }
     }
-    fn min(&self, other: &Interval) -> Interval {
-        Interval::new(self.least.min(other.least), self.most.min(other.most))
-    }
-    fn max(&self, other: &Interval) -> Interval {
-        Interval::new(self.least.max(other.least), self.most.max(other.most))
-    }
-    fn hypot(&self, other: &Interval) -> Interval {
-        let (x, y) = (Number::abs(self), Number::abs(other));
-        let ends = Interval::around(x.least.hypot(y.least), x.most.hypot(y.most));
-        Interval::new(ends.least.max(0.0), ends.most)
-    }
-    fn atan2(&self, x: &Interval) -> Interval {
-        // the origin, or the half line on which the angle jumps
-        if self.is_zero() && x.least <= 0.0 {
-            return Interval::around(-PI, PI);
+    fn two(&self, other: &Interval, function: Binary) -> Interval {
+        match function {
+            Binary::Add => {
+                let (least, most) = (self.least + other.least, self.most + other.most);
+                Interval {
+                    least: below(least, sum_error(self.least, other.least, least)),
+                    most: above(most, sum_error(self.most, other.most, most)),
+                }
+            }
+            Binary::Subtract => self.add(&other.negate()),
+            Binary::Multiply => self.corners(other, |a, b| (a * b, product_error(a, b, a * b))),
+            Binary::Divide if other.is_zero() => Interval::EVERYTHING,
+            Binary::Divide => self.corners(other, |a, b| (a / b, quotient_error(a, b, a / b))),
+            Binary::Power => self.power(other),
+            Binary::Min => Interval::new(self.least.min(other.least), self.most.min(other.most)),
+            Binary::Max => Interval::new(self.least.max(other.least), self.most.max(other.most)),
+            Binary::Hypot => {
+                let (x, y) = (self.one(Unary::Abs), other.one(Unary::Abs));
+                let ends = Interval::around(x.least.hypot(y.least), x.most.hypot(y.most));
+                Interval::new(ends.least.max(0.0), ends.most)
+            }
+            // the origin, or the half line on which the angle jumps
+            Binary::Atan2 if self.is_zero() && other.least <= 0.0 => Interval::around(-PI, PI),
+            Binary::Atan2 => {
+                let angles = self.pairs(other).map(|(y, x)| y.atan2(x));
+                let least = angles.iter().copied().fold(f64::INFINITY, f64::min);
+                let most = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                Interval::around(least, most)
+            }
         }
-        let angles = [
-            self.least.atan2(x.least),
-            self.least.atan2(x.most),
-            self.most.atan2(x.least),
-            self.most.atan2(x.most),
-        ];
-        let least = angles.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = angles.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        Interval::around(least, most)
-    }
-    fn sin(&self) -> Interval {
-        self.wave(f64::sin, FRAC_PI_2)
-    }
-    fn cos(&self) -> Interval {
-        self.wave(f64::cos, 0.0)
-    }
-    fn tan(&self) -> Interval {
-        let is_far = self.least.abs() > LARGE || self.most.abs() > LARGE;
-        if is_far || self.may_hold(FRAC_PI_2) || self.may_hold(-FRAC_PI_2) {
-            return Interval::EVERYTHING;
-        }
-        self.growing(f64::tan)
-    }
-    fn asin(&self) -> Interval {
-        self.growing(f64::asin)
-    }
-    fn acos(&self) -> Interval {
-        Interval::around(self.most.acos(), self.least.acos())
-    }
-    fn atan(&self) -> Interval {
-        self.growing(f64::atan)
-    }
-    fn exp(&self) -> Interval {
-        let ends = self.growing(f64::exp);
-        Interval::new(ends.least.max(0.0), ends.most)
-    }
-    fn ln(&self) -> Interval {
-        self.growing(f64::ln)
-    }
-    fn floor(&self) -> Interval {
-        Interval::new(self.least.floor(), self.most.floor())
-    }
-    fn ceil(&self) -> Interval {
-        Interval::new(self.least.ceil(), self.most.ceil())
-    }
-    fn round(&self) -> Interval {
-        Interval::new(self.least.round(), self.most.round())
-    }
-    fn step(&self) -> Interval {
-        Interval::new(self.least.step(), self.most.step())
     }
 }
 

@@ -2,6 +2,64 @@
 
 use std::cmp::Ordering;
 
+/// A function of one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unary {
+    /// −x.
+    Negate,
+    /// √x.
+    Sqrt,
+    /// |x|.
+    Abs,
+    /// The sine.
+    Sin,
+    /// The cosine.
+    Cos,
+    /// The tangent.
+    Tan,
+    /// The inverse sine.
+    Asin,
+    /// The inverse cosine.
+    Acos,
+    /// The inverse tangent.
+    Atan,
+    /// eˣ.
+    Exp,
+    /// The natural logarithm.
+    Ln,
+    /// The greatest whole number that is not greater.
+    Floor,
+    /// The least whole number that is not less.
+    Ceil,
+    /// The nearest whole number, of two the one further from zero.
+    Round,
+    /// 1 from zero on, 0 below.
+    Step,
+}
+
+/// A function of two numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Binary {
+    /// x + y.
+    Add,
+    /// x − y.
+    Subtract,
+    /// x·y.
+    Multiply,
+    /// x/y.
+    Divide,
+    /// x^y.
+    Power,
+    /// The smaller of both.
+    Min,
+    /// The greater of both.
+    Max,
+    /// √(x² + y²).
+    Hypot,
+    /// The angle of a vector, from its y and x.
+    Atan2,
+}
+
 /// A number of an expression; of an interval a predicate says whether any number in it is so.
 pub trait Number: Clone {
     /// A constant.
@@ -22,61 +80,43 @@ pub trait Number: Clone {
     fn nearly(&self) -> Option<f64> {
         self.single()
     }
+    /// A function of it.
+    fn one(&self, function: Unary) -> Self;
+    /// A function of it and another one.
+    fn two(&self, other: &Self, function: Binary) -> Self;
     /// −x.
-    fn negate(&self) -> Self;
+    fn negate(&self) -> Self {
+        self.one(Unary::Negate)
+    }
     /// x + y.
-    fn add(&self, other: &Self) -> Self;
+    fn add(&self, other: &Self) -> Self {
+        self.two(other, Binary::Add)
+    }
     /// x − y.
-    fn subtract(&self, other: &Self) -> Self;
+    fn subtract(&self, other: &Self) -> Self {
+        self.two(other, Binary::Subtract)
+    }
     /// x·y.
-    fn multiply(&self, other: &Self) -> Self;
+    fn multiply(&self, other: &Self) -> Self {
+        self.two(other, Binary::Multiply)
+    }
     /// x/y.
-    fn divide(&self, other: &Self) -> Self;
-    /// x^y.
-    fn power(&self, exponent: &Self) -> Self;
-    /// √x.
-    fn sqrt(&self) -> Self;
-    /// |x|.
-    fn abs(&self) -> Self;
-    /// The smaller of both.
-    fn min(&self, other: &Self) -> Self;
-    /// The greater of both.
-    fn max(&self, other: &Self) -> Self;
-    /// √(x² + y²).
-    fn hypot(&self, other: &Self) -> Self;
-    /// The angle of (x, self).
-    fn atan2(&self, x: &Self) -> Self;
-    /// The sine.
-    fn sin(&self) -> Self;
-    /// The cosine.
-    fn cos(&self) -> Self;
-    /// The tangent.
-    fn tan(&self) -> Self;
-    /// The inverse sine.
-    fn asin(&self) -> Self;
-    /// The inverse cosine.
-    fn acos(&self) -> Self;
-    /// The inverse tangent.
-    fn atan(&self) -> Self;
-    /// eˣ.
-    fn exp(&self) -> Self;
-    /// The natural logarithm.
-    fn ln(&self) -> Self;
-    /// The greatest whole number that is not greater.
-    fn floor(&self) -> Self;
-    /// The least whole number that is not less.
-    fn ceil(&self) -> Self;
-    /// The nearest whole number, of two the one further from zero.
-    fn round(&self) -> Self;
-    /// 1 from zero on, 0 below.
-    fn step(&self) -> Self;
+    fn divide(&self, other: &Self) -> Self {
+        self.two(other, Binary::Divide)
+    }
+    /// x².
+    fn square(&self) -> Self {
+        self.two(&Self::of(2.0), Binary::Power)
+    }
     /// −1, 0 or 1.
     fn sign(&self) -> Self {
-        self.step().subtract(&self.negate().step())
+        let below = self.negate().one(Unary::Step);
+        self.one(Unary::Step).subtract(&below)
     }
     /// What is left of x when it is divided by y, from zero to y.
     fn modulo(&self, period: &Self) -> Self {
-        self.subtract(&self.divide(period).floor().multiply(period))
+        let whole = self.divide(period).one(Unary::Floor);
+        self.subtract(&whole.multiply(period))
     }
 }
 
@@ -107,85 +147,42 @@ impl Number for f64 {
         *self < 0.0
     }
     fn exceeds_one(&self) -> bool {
-        f64::abs(*self) > 1.0
+        self.abs() > 1.0
     }
     fn single(&self) -> Option<f64> {
         Some(*self)
     }
-    fn negate(&self) -> f64 {
-        -self
+    fn one(&self, function: Unary) -> f64 {
+        match function {
+            Unary::Negate => -self,
+            Unary::Sqrt => self.sqrt(),
+            Unary::Abs => self.abs(),
+            Unary::Sin => self.sin(),
+            Unary::Cos => self.cos(),
+            Unary::Tan => self.tan(),
+            Unary::Asin => self.asin(),
+            Unary::Acos => self.acos(),
+            Unary::Atan => self.atan(),
+            Unary::Exp => self.exp(),
+            Unary::Ln => self.ln(),
+            Unary::Floor => self.floor(),
+            Unary::Ceil => self.ceil(),
+            Unary::Round => self.round(),
+            Unary::Step if self.is_nan() => f64::NAN,
+            Unary::Step => f64::from(u8::from(*self >= 0.0)),
+        }
     }
-    fn add(&self, other: &f64) -> f64 {
-        self + other
-    }
-    fn subtract(&self, other: &f64) -> f64 {
-        self - other
-    }
-    fn multiply(&self, other: &f64) -> f64 {
-        self * other
-    }
-    fn divide(&self, other: &f64) -> f64 {
-        self / other
-    }
-    fn power(&self, exponent: &f64) -> f64 {
-        self.powf(*exponent)
-    }
-    fn sqrt(&self) -> f64 {
-        f64::sqrt(*self)
-    }
-    fn abs(&self) -> f64 {
-        f64::abs(*self)
-    }
-    fn min(&self, other: &f64) -> f64 {
-        f64::min(*self, *other)
-    }
-    fn max(&self, other: &f64) -> f64 {
-        f64::max(*self, *other)
-    }
-    fn hypot(&self, other: &f64) -> f64 {
-        f64::hypot(*self, *other)
-    }
-    fn atan2(&self, x: &f64) -> f64 {
-        f64::atan2(*self, *x)
-    }
-    fn sin(&self) -> f64 {
-        f64::sin(*self)
-    }
-    fn cos(&self) -> f64 {
-        f64::cos(*self)
-    }
-    fn tan(&self) -> f64 {
-        f64::tan(*self)
-    }
-    fn asin(&self) -> f64 {
-        f64::asin(*self)
-    }
-    fn acos(&self) -> f64 {
-        f64::acos(*self)
-    }
-    fn atan(&self) -> f64 {
-        f64::atan(*self)
-    }
-    fn exp(&self) -> f64 {
-        f64::exp(*self)
-    }
-    fn ln(&self) -> f64 {
-        f64::ln(*self)
-    }
-    fn floor(&self) -> f64 {
-        f64::floor(*self)
-    }
-    fn ceil(&self) -> f64 {
-        f64::ceil(*self)
-    }
-    fn round(&self) -> f64 {
-        f64::round(*self)
-    }
-    fn step(&self) -> f64 {
-        match self.partial_cmp(&0.0) {
-            Some(Ordering::Less) => 0.0,
-            Some(Ordering::Equal | Ordering::Greater) => 1.0,
-            None => f64::NAN,
+    fn two(&self, other: &f64, function: Binary) -> f64 {
+        match function {
+            Binary::Add => self + other,
+            Binary::Subtract => self - other,
+            Binary::Multiply => self * other,
+            Binary::Divide => self / other,
+            Binary::Power => self.powf(*other),
+            Binary::Min => self.min(*other),
+            Binary::Max => self.max(*other),
+            Binary::Hypot => self.hypot(*other),
+            Binary::Atan2 => self.atan2(*other),
         }
     }
 }

@@ -4,7 +4,8 @@
 //! as a dimension, so that Hz is not rad/s; where lengths or masses are about, one radian too many is dropped, as in r·ω.
 
 use super::super::dimension::Powers;
-use super::number::Number;
+use super::function::Function;
+use super::number::{Binary, Number, Unary};
 
 /// One whole power.
 const WHOLE: i32 = 12;
@@ -88,9 +89,7 @@ impl Quantity {
             pure: Pure::Ratio,
         }
     }
-}
 
-impl Quantity {
     /// A number in SI, with exponents of length, mass, time and angle.
     pub fn of_powers(value: f64, powers: [f64; 4]) -> Self {
         Quantity {
@@ -151,10 +150,6 @@ impl<N: Number> Quantity<N> {
         alike(self.exponents, other.exponents)
     }
 
-    pub fn negate(&self) -> Self {
-        self.with_value(self.value.negate())
-    }
-
     /// The dimension that both have, for what `verb` does.
     fn common(&self, other: &Self, verb: &str) -> Result<[i32; 4], Fault> {
         if alike(self.exponents, other.exponents) {
@@ -183,46 +178,31 @@ impl<N: Number> Quantity<N> {
         })
     }
 
-    pub fn add(&self, other: &Self) -> Outcome<N> {
-        let exponents = self.common(other, "added")?;
-        Self::made(
-            self.value.add(&other.value),
-            exponents,
-            self.pure.max(other.pure),
-        )
+    /// A function of it and another one.
+    pub fn two(&self, other: &Self, function: Binary) -> Outcome<N> {
+        let (own, others) = (self.exponents, other.exponents);
+        let exponents = match function {
+            Binary::Add => self.common(other, "added")?,
+            Binary::Subtract => self.common(other, "subtracted")?,
+            Binary::Min | Binary::Max => self.common(other, "compared")?,
+            Binary::Hypot => self.common(other, "the sides of one triangle")?,
+            Binary::Multiply => std::array::from_fn(|index| own[index] + others[index]),
+            Binary::Divide if other.value.is_zero() => {
+                return Err(Fault::new("this divides by zero"));
+            }
+            Binary::Divide => std::array::from_fn(|index| own[index] - others[index]),
+            Binary::Power => self.powered(other)?,
+            Binary::Atan2 => {
+                self.common(other, "the components of one vector")?;
+                return Self::made(self.value.two(&other.value, function), ANGLE, Pure::Ratio);
+            }
+        };
+        let value = self.value.two(&other.value, function);
+        Self::made(value, exponents, self.pure.max(other.pure))
     }
 
-    pub fn subtract(&self, other: &Self) -> Outcome<N> {
-        let exponents = self.common(other, "subtracted")?;
-        Self::made(
-            self.value.subtract(&other.value),
-            exponents,
-            self.pure.max(other.pure),
-        )
-    }
-
-    pub fn multiply(&self, other: &Self) -> Outcome<N> {
-        let exponents = std::array::from_fn(|index| self.exponents[index] + other.exponents[index]);
-        Self::made(
-            self.value.multiply(&other.value),
-            exponents,
-            self.pure.max(other.pure),
-        )
-    }
-
-    pub fn divide(&self, other: &Self) -> Outcome<N> {
-        if other.value.is_zero() {
-            return Err(Fault::new("this divides by zero"));
-        }
-        let exponents = std::array::from_fn(|index| self.exponents[index] - other.exponents[index]);
-        Self::made(
-            self.value.divide(&other.value),
-            exponents,
-            self.pure.max(other.pure),
-        )
-    }
-
-    pub fn power(&self, exponent: &Self) -> Outcome<N> {
+    /// The exponents of a power of it.
+    fn powered(&self, exponent: &Self) -> Result<[i32; 4], Fault> {
         if !exponent.is_pure() {
             return Err(Fault::new(format!(
                 "an exponent is a plain number, not {}",
@@ -257,60 +237,57 @@ impl<N: Number> Quantity<N> {
             // bounded above
             *power = scaled.round() as i32;
         }
-        Self::made(
-            self.value.power(&exponent.value),
-            exponents,
-            self.pure.max(exponent.pure),
-        )
+        Ok(exponents)
     }
 
-    pub fn sqrt(&self) -> Outcome<N> {
-        if self.value.is_negative() {
-            return Err(Fault::new("a negative number has no square root"));
+    /// A function of it; of an angle that is a plain number where that can only be radians.
+    pub fn one(&self, function: Unary, degrees: bool) -> Outcome<N> {
+        let value = || self.value.one(function);
+        match function {
+            Unary::Negate | Unary::Abs => Ok(self.with_value(value())),
+            Unary::Sin | Unary::Cos | Unary::Tan => {
+                self.expect_angle(function, degrees)?;
+                Self::made(value(), [0; 4], Pure::Ratio)
+            }
+            Unary::Asin | Unary::Acos | Unary::Atan => {
+                self.expect_pure(function)?;
+                if function != Unary::Atan && self.value.exceeds_one() {
+                    let found = match self.value.single() {
+                        Some(value) => format!("this is {value}"),
+                        None => "and these go beyond".to_owned(),
+                    };
+                    let word = Function::One(function).word();
+                    let message = format!("{word} takes numbers from -1 to 1, {found}");
+                    return Err(Fault::new(message));
+                }
+                Self::made(value(), ANGLE, Pure::Ratio)
+            }
+            Unary::Sqrt if self.value.is_negative() => {
+                Err(Fault::new("a negative number has no square root"))
+            }
+            Unary::Sqrt => {
+                let half = Quantity {
+                    value: N::of(0.5),
+                    exponents: [0; 4],
+                    pure: self.pure,
+                };
+                Ok(self.two(&half, Binary::Power)?.with_value(value()))
+            }
+            Unary::Ln if self.is_pure() && (self.value.is_negative() || self.value.is_zero()) => {
+                Err(Fault::new("ln takes numbers greater than zero"))
+            }
+            Unary::Exp | Unary::Ln | Unary::Floor | Unary::Ceil | Unary::Round => {
+                self.expect_pure(function)?;
+                Self::made(value(), [0; 4], self.pure)
+            }
+            Unary::Step => Ok(self.sided(value())),
         }
-        let half = Quantity {
-            value: N::of(0.5),
-            exponents: [0; 4],
-            pure: self.pure,
-        };
-        Ok(self.power(&half)?.with_value(self.value.sqrt()))
     }
 
-    pub fn abs(&self) -> Self {
-        self.with_value(self.value.abs())
-    }
-
-    pub fn min(&self, other: &Self) -> Outcome<N> {
-        let exponents = self.common(other, "compared")?;
-        Self::made(
-            self.value.min(&other.value),
-            exponents,
-            self.pure.max(other.pure),
-        )
-    }
-
-    pub fn max(&self, other: &Self) -> Outcome<N> {
-        let exponents = self.common(other, "compared")?;
-        Self::made(
-            self.value.max(&other.value),
-            exponents,
-            self.pure.max(other.pure),
-        )
-    }
-
-    pub fn hypot(&self, other: &Self) -> Outcome<N> {
-        let exponents = self.common(other, "the sides of one triangle")?;
-        Self::made(
-            self.value.hypot(&other.value),
-            exponents,
-            self.pure.max(other.pure),
-        )
-    }
-
-    /// A function of its sign alone.
-    pub fn sided(&self, function: fn(&N) -> N) -> Self {
+    /// The value of a function of its sign alone.
+    pub fn sided(&self, value: N) -> Self {
         Quantity {
-            value: function(&self.value),
+            value,
             exponents: [0; 4],
             pure: Pure::Ratio,
         }
@@ -326,64 +303,26 @@ impl<N: Number> Quantity<N> {
         Self::made(value, exponents, self.pure.max(period.pure))
     }
 
-    /// The angle of a vector, from its y and x.
-    pub fn atan2(&self, x: &Self) -> Outcome<N> {
-        self.common(x, "the components of one vector")?;
-        Self::angle(self.value.atan2(&x.value))
-    }
-
-    fn angle(value: N) -> Outcome<N> {
-        Self::made(value, ANGLE, Pure::Ratio)
-    }
-
-    /// A function of an angle; of plain numbers where these can only be radians.
-    pub fn circular(&self, name: &str, degrees: bool, function: fn(&N) -> N) -> Outcome<N> {
+    fn expect_angle(&self, function: Unary, degrees: bool) -> Result<(), Fault> {
+        let word = Function::One(function).word();
         if self.exponents != ANGLE && !self.is_pure() {
-            return Err(Fault::new(format!(
-                "{name} takes an angle, not {}",
-                self.words()
-            )));
+            let message = format!("{word} takes an angle, not {}", self.words());
+            return Err(Fault::new(message));
         }
         if self.is_pure() && self.pure == Pure::Plain && degrees && self.value.shown() != 0.0 {
             let message =
-                format!("{name} of a plain number, although the file's angles are not in radians");
+                format!("{word} of a plain number, although the file's angles are not in radians");
             return Err(Fault::new(message).hint("give it a unit, as in 30 deg or 0.5 rad"));
         }
-        Self::made(function(&self.value), [0; 4], Pure::Ratio)
+        Ok(())
     }
 
-    /// An inverse function of an angle, of what lies within −1 … 1 where `bounded`.
-    pub fn inverse_circular(&self, name: &str, bounded: bool, function: fn(&N) -> N) -> Outcome<N> {
-        self.expect_pure(name)?;
-        if bounded && self.value.exceeds_one() {
-            let found = match self.value.single() {
-                Some(value) => format!("this is {value}"),
-                None => "and these go beyond".to_owned(),
-            };
-            let message = format!("{name} takes numbers from -1 to 1, {found}");
-            return Err(Fault::new(message));
-        }
-        Self::angle(function(&self.value))
-    }
-
-    /// A function of a plain number.
-    pub fn function(&self, name: &str, function: fn(&N) -> N) -> Outcome<N> {
-        self.expect_pure(name)?;
-        Self::made(function(&self.value), [0; 4], self.pure)
-    }
-
-    pub fn ln(&self) -> Outcome<N> {
-        if self.is_pure() && (self.value.is_negative() || self.value.is_zero()) {
-            return Err(Fault::new("ln takes numbers greater than zero"));
-        }
-        self.function("ln", N::ln)
-    }
-
-    fn expect_pure(&self, name: &str) -> Result<(), Fault> {
+    fn expect_pure(&self, function: Unary) -> Result<(), Fault> {
         if self.is_pure() {
             return Ok(());
         }
-        let fault = Fault::new(format!("{name} takes a plain number, not {}", self.words()));
+        let word = Function::One(function).word();
+        let fault = Fault::new(format!("{word} takes a plain number, not {}", self.words()));
         Err(fault.hint(format!("divide it by 1 {}", self.unit())))
     }
 }

@@ -1,6 +1,7 @@
 //! Reductions: how what changes along a run becomes one number.
 
 use super::guess::Guess;
+use super::number::Binary;
 use super::quantity::Quantity;
 use crate::dimension::Powers;
 
@@ -99,7 +100,7 @@ impl Reduction {
         };
         let time = Quantity::si(1.0, time).with_value(Guess(None));
         match self {
-            Reduction::Integral => of.multiply(&time).unwrap_or(of),
+            Reduction::Integral => of.two(&time, Binary::Multiply).unwrap_or(of),
             Reduction::ArgMax | Reduction::ArgMin => time,
             Reduction::Count => Quantity::plain(1.0).with_value(Guess(None)),
             Reduction::Max

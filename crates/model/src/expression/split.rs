@@ -2,11 +2,12 @@
 
 use super::compiled::{Constants, From, Over, Reduce, Values};
 use super::guess::Guess;
+use super::number::Binary;
 use super::parse::EQUATIONS;
-use super::program::Program;
+use super::program::{Do, Program};
 use super::quantity::{Fault, Quantity};
 use super::reduction::Reduction;
-use super::results::Place;
+use super::results::{Known, Place};
 use super::{Expression, Misfit, Step, apply};
 use crate::response::Item;
 
@@ -54,52 +55,45 @@ impl Splitter<'_> {
 
     fn part(&mut self, at: usize, step: Step, taken: Vec<Part>) -> Result<Part, Placed> {
         match step {
-            Step::Push(quantity) => {
-                let quantity = quantity.with_value(Guess(Some(quantity.value)));
-                Ok(Part::one(at, quantity, Program::leaf(step)))
-            }
-            Step::Parameter(index) => {
-                let quantity = self.parameters[index].1;
-                let quantity = quantity.with_value(Guess(Some(quantity.value)));
-                Ok(Part::one(at, quantity, Program::leaf(step)))
-            }
-            Step::Result(known) => {
-                let quantity = Quantity::si(0.0, known.powers).with_value(Guess(None));
-                let program = Program::input(From::Place(known.place));
-                let part = Part::one(at, quantity, program);
-                Ok(match known.place {
-                    Place::Row(_) => Part {
-                        over: Some(Over::Rows),
-                        ..part
-                    },
-                    Place::Item(list, _) => Part {
-                        over: Some(Over::List(list)),
-                        ..part
-                    },
-                    Place::Fact(_) => Part {
-                        is_late: true,
-                        ..part
-                    },
-                })
-            }
             Step::Reduce(reduction, _) => self.reduce(at, reduction, taken),
             Step::Equal => equation(taken),
-            Step::Look(..) => Err((None, Fault::new("a table stands in a force, or in a state"))),
-            Step::Negate
-            | Step::Add
-            | Step::Subtract
-            | Step::Multiply
-            | Step::Divide
-            | Step::Power
-            | Step::Call(..) => self.arithmetic(step, taken),
+            Step::Do(step) => self.arithmetic(at, step, taken),
         }
     }
 
-    fn arithmetic(&self, step: Step, taken: Vec<Part>) -> Result<Part, Placed> {
+    fn arithmetic(&self, at: usize, step: Do<Known>, taken: Vec<Part>) -> Result<Part, Placed> {
+        let known = |of: &Quantity| of.with_value(Guess(Some(of.value)));
+        let own = |quantity| {
+            let program = Program(vec![step.map(|known| From::Place(known.place))]);
+            Part::one(at, quantity, program)
+        };
+        match step {
+            Do::Push(quantity) => return Ok(own(known(&quantity))),
+            Do::Parameter(index) => return Ok(own(known(&self.parameters[index].1))),
+            Do::Input(result) => {
+                let quantity = Quantity::si(0.0, result.powers).with_value(Guess(None));
+                let (over, is_late) = match result.place {
+                    Place::Row(_) => (Some(Over::Rows), false),
+                    Place::Item(list, _) => (Some(Over::List(list)), false),
+                    Place::Fact(_) => (None, true),
+                };
+                let part = own(quantity);
+                return Ok(Part {
+                    over,
+                    is_late,
+                    ..part
+                });
+            }
+            Do::Look(..) => {
+                return Err((None, Fault::new("a table stands in a force, or in a state")));
+            }
+            Do::Call(..) => {}
+        }
         let (at, over, is_late) = together(&taken)?;
         let quantities: Vec<Quantity<Guess>> = taken.iter().map(|part| part.quantity).collect();
         let quantity = apply(step, &quantities, self.degrees).map_err(|fault| (None, fault))?;
         let programs = taken.into_iter().map(|part| part.program).collect();
+        let step = step.map(|known| From::Place(known.place));
         Ok(Part {
             at,
             over,
@@ -166,7 +160,7 @@ impl Splitter<'_> {
             ..Part::one(
                 at,
                 reduction.quantity(of.quantity),
-                Program::input(From::Reduced(index)),
+                Program(vec![Do::Input(From::Reduced(index))]),
             )
         })
     }
@@ -258,14 +252,14 @@ fn equation(taken: Vec<Part>) -> Result<Part, Placed> {
     };
     let compared = left
         .quantity
-        .min(&right.quantity)
+        .two(&right.quantity, Binary::Min)
         .map_err(|fault| (None, fault))?;
     Ok(Part {
         at,
         over,
         is_late,
         quantity: compared,
-        program: Program::leaf(Step::Equal),
+        program: Program(Vec::new()),
         sides: Some([left.program, right.program]),
     })
 }

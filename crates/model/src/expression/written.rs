@@ -2,7 +2,8 @@
 
 use super::super::node::excerpt;
 use super::super::units::{Unit, UnitFault, split_quantity, with_decimal_point};
-use super::{Expression, Fault, PI, Quantity, RESERVED};
+use super::function::{FUNCTIONS, PI, RESERVED};
+use super::{Expression, Fault, Quantity};
 
 /// How a parameter is written.
 pub enum Written {
@@ -25,7 +26,7 @@ pub fn refused_name(name: &str) -> Option<(String, &'static str)> {
             "the name of a parameter consists of letters, digits and _, with a letter first";
         return Some((message.into(), "as in crank_length or r2"));
     }
-    if name == PI || name == "note" || RESERVED.contains(&name) {
+    if name == PI || name == "note" || FUNCTIONS[..RESERVED].iter().any(|row| row.0 == name) {
         return Some((
             format!("{name:?} has a meaning of its own"),
             "give the parameter another name",

@@ -6,7 +6,7 @@ use super::Walk;
 use super::table::Column;
 use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
-use crate::expression::{Misfit, Quantity, is_expression};
+use crate::expression::{Binary, Misfit, Quantity, is_expression};
 use crate::node::{Kind, Node, join};
 use crate::response::Constant;
 use crate::state::State;
@@ -90,7 +90,13 @@ impl Walk<'_> {
 
     fn state_of(&mut self, node: &Node, path: &str) -> Option<State> {
         let before = self.faults();
-        self.object(node, &STATE, None, path, super::Driven::Nothing)?;
+        self.object(
+            node,
+            &STATE,
+            None,
+            path,
+            super::Driven::Nothing,
+        )?;
         let (rate, place) = (node.get("rate")?, join(path, "rate"));
         let text = rate.as_str()?;
         if !is_expression(text) {
@@ -165,5 +171,5 @@ impl Walk<'_> {
 /// The dimension of what has this rate.
 fn by_time(rate: &Quantity) -> Option<Powers> {
     let second = Quantity::si(1.0, Dimension::Time.powers());
-    rate.multiply(&second).ok()?.whole_powers()
+    rate.two(&second, Binary::Multiply).ok()?.whole_powers()
 }

@@ -5,8 +5,11 @@ mod response;
 
 pub use response::EQUATIONS;
 
+use super::function::{FUNCTIONS, Function, PI};
+use super::number::{Binary, Unary};
+use super::program::Do;
 use super::quantity::{Fault, Quantity};
-use super::{FUNCTIONS, Function, LONGEST, Misfit, PI, Results, Step};
+use super::{Known, LONGEST, Misfit, Results, Step};
 use crate::suggest;
 use number::is_unit;
 
@@ -85,6 +88,10 @@ impl<'a> Parser<'a> {
         }
     }
 
+    fn step(&mut self, at: usize, step: Do<Known>) {
+        self.steps.push((at, Step::Do(step)));
+    }
+
     fn rest(&self) -> &'a str {
         &self.text[self.at..]
     }
@@ -125,14 +132,11 @@ impl<'a> Parser<'a> {
         self.product()?;
         while let Some((at, sign)) = self.take(&['+', '-', '−']) {
             self.product()?;
-            self.steps.push((
-                at,
-                if sign == '+' {
-                    Step::Add
-                } else {
-                    Step::Subtract
-                },
-            ));
+            let function = match sign {
+                '+' => Binary::Add,
+                _ => Binary::Subtract,
+            };
+            self.step(at, Do::Call(Function::Two(function), 2));
         }
         Ok(())
     }
@@ -147,14 +151,11 @@ impl<'a> Parser<'a> {
                 );
             }
             self.signed()?;
-            self.steps.push((
-                at,
-                if sign == '/' {
-                    Step::Divide
-                } else {
-                    Step::Multiply
-                },
-            ));
+            let function = match sign {
+                '/' => Binary::Divide,
+                _ => Binary::Multiply,
+            };
+            self.step(at, Do::Call(Function::Two(function), 2));
         }
         Ok(())
     }
@@ -169,9 +170,11 @@ impl<'a> Parser<'a> {
         self.atom()?;
         if let Some((at, _)) = self.take(&['^']) {
             self.nested(Self::signed)?;
-            self.steps.push((at, Step::Power));
+            self.step(at, Do::Call(Function::Two(Binary::Power), 2));
         }
-        self.steps.extend(minus.map(|at| (at, Step::Negate)));
+        if let Some(at) = minus {
+            self.step(at, Do::Call(Function::One(Unary::Negate), 1));
+        }
         Ok(())
     }
 
@@ -227,9 +230,9 @@ impl<'a> Parser<'a> {
             return self.call(at, word);
         }
         if word == PI {
-            self.steps.push((at, Step::Push(Quantity::pi())));
+            self.step(at, Do::Push(Quantity::pi()));
         } else if let Some(index) = (self.find)(word) {
-            self.steps.push((at, Step::Parameter(index)));
+            self.step(at, Do::Parameter(index));
         } else if FUNCTIONS.iter().any(|row| row.0 == word) {
             return fault(at, is_function(word));
         } else {
@@ -247,7 +250,7 @@ impl<'a> Parser<'a> {
         {
             let count = self.values(open, &[','])?;
             check_count(at, word, count, [1, 1])?;
-            self.steps.push((at, Step::Look(table, columns)));
+            self.step(at, Do::Look(table, columns));
             return Ok(());
         }
         match row {
@@ -259,7 +262,7 @@ impl<'a> Parser<'a> {
                 };
                 let count = self.values(open, signs)?;
                 check_count(at, name, count, [least, most])?;
-                self.steps.push((at, Step::Call(function, count)));
+                self.step(at, Do::Call(function, count));
                 Ok(())
             }
             None if word == PI || (self.find)(word).is_some() => {

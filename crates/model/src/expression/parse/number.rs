@@ -1,7 +1,8 @@
 //! Numbers in expressions, and the units behind them.
 
+use super::super::Misfit;
+use super::super::program::Do;
 use super::super::quantity::{Fault, Quantity};
-use super::super::{Misfit, Step};
 use super::{Parser, Read, fault, is_name};
 use crate::units::{Unit, UnitFault, split_quantity};
 
@@ -32,7 +33,7 @@ impl Parser<'_> {
         if !value.value.is_finite() {
             return fault(at, Fault::new("the number is too large for a double"));
         }
-        self.steps.push((at, Step::Push(value)));
+        self.step(at, Do::Push(value));
         Ok(())
     }
 

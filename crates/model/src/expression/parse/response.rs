@@ -6,8 +6,10 @@
 //! result   = word { "." word } | "'" any text "'"
 //! ```
 
+use super::super::function::{FUNCTIONS, PI};
+use super::super::program::Do;
 use super::super::quantity::{Fault, Quantity};
-use super::super::{FUNCTIONS, Misfit, PI, Reduction, Results, Step};
+use super::super::{Misfit, Reduction, Results, Step};
 use super::{Parser, Read, check_count, fault, is_function, is_name};
 
 /// Where an equation may stand.
@@ -47,17 +49,17 @@ impl<'a> Parser<'a> {
             return self.reduction(at, reduction);
         }
         let step = if let Some(index) = (self.find)(word) {
-            Step::Parameter(index)
+            Do::Parameter(index)
         } else if word == PI {
-            Step::Push(Quantity::pi())
+            Do::Push(Quantity::pi())
         } else if let Some(known) = results.find(word) {
-            Step::Result(known)
+            Do::Input(known)
         } else if reduction.is_some() || FUNCTIONS.iter().any(|row| row.0 == word) {
             return fault(at, is_function(word));
         } else {
             return unknown(at, word, results, self.names);
         };
-        self.steps.push((at, step));
+        self.step(at, step);
         Ok(())
     }
 
@@ -73,7 +75,7 @@ impl<'a> Parser<'a> {
         let found = self.results.map(|results| (results.find(name), results));
         match found {
             Some((Some(known), _)) => {
-                self.steps.push((at, Step::Result(known)));
+                self.step(at, Do::Input(known));
                 Ok(())
             }
             Some((None, results)) => unknown(at, name, results, self.names),
@@ -87,7 +89,7 @@ impl<'a> Parser<'a> {
         let word = reduction.word();
         let both = FUNCTIONS.iter().find(|row| row.0 == word && count > 1);
         let step = match both {
-            Some(&(_, function, ..)) => Step::Call(function, count),
+            Some(&(_, function, ..)) => Step::Do(Do::Call(function, count)),
             None => {
                 let takes = if reduction == Reduction::At { 2 } else { 1 };
                 check_count(at, word, count, [takes, takes])?;
