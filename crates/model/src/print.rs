@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use indexmap::IndexMap;
 use serde_json::{Map, Value, json};
 
-use super::{DriverKind, FORMAT, GROUND as FIXED, Model};
+use super::{DriverKind, FORMAT, Model};
 use crate::dimension::Dimension;
 use crate::expression::Parameters;
 use crate::node::{Kind, Member, Node, Origin};
@@ -21,8 +21,8 @@ use crate::shape::{Default, Drives, Field, Measure, Need, Object, Shape, Tagged}
 use crate::source::Source;
 use crate::tree::Tree;
 use crate::units::Unit;
-use crate::walk::{COLUMNS, Driven, NOTE, Units, Walk, entry_driven, shape_of};
-use crate::words::{BODY, FILE, GROUND, MATERIAL, MOTION, SEPARATE};
+use crate::walk::{COLUMNS, Driven, NOTE, Units, Walk, body_of, entry_driven, shape_of};
+use crate::words;
 
 impl Model {
     /// The model as a file in SI units, without parameters and expressions.
@@ -69,7 +69,13 @@ fn print(source: &Source, model: &Model) -> Value {
         walk: Walk::new(source, units, parameters, driven).knowing(Catalogue::of(model)),
     };
     let written = Some(&source.root);
-    let model = printer.object(&Tree::of(model), &FILE, None, written, Driven::Nothing);
+    let model = printer.object(
+        &Tree::of(model),
+        words::file(),
+        None,
+        written,
+        Driven::Nothing,
+    );
     let mut file = Map::new();
     for (key, value) in [("format", FORMAT), ("units", "SI")] {
         if !model.contains_key(key) {
@@ -176,7 +182,7 @@ impl Printer<'_> {
         match (shape, tree) {
             (Shape::Materials, materials) => {
                 let is_one = materials.get("young_modulus").is_some();
-                let object = if is_one { &MATERIAL } else { &SEPARATE };
+                let object = words::object(if is_one { "Material" } else { "Separate" });
                 Value::Object(self.object(materials, object, None, written, driven))
             }
             (Shape::Object(object), tree) => {
@@ -186,13 +192,15 @@ impl Printer<'_> {
             (Shape::Curve(_) | Shape::State(_), tree) => self.whole(tree, shape, written, driven),
             (Shape::Formula(of), tree) => self.formula(tree, *of, written, driven),
             (Shape::Event, tree) => self.event(tree, written, driven),
-            (Shape::Varying(dimension), Tree::Map(_)) => {
-                self.tagged(tree, &MOTION, written, Driven::Dimension(*dimension))
-            }
+            (Shape::Varying(dimension), Tree::Map(_)) => self.tagged(
+                tree,
+                words::kinds("Motion"),
+                written,
+                Driven::Dimension(*dimension),
+            ),
             (Shape::Map(of), Tree::Map(things)) => self.map(things, |_| **of, written, driven),
             (Shape::Bodies, Tree::Map(things)) => {
-                let of = |name: &str| Shape::Object(if name == FIXED { &GROUND } else { &BODY });
-                self.map(things, of, written, driven)
+                self.map(things, |name| Shape::Object(body_of(name)), written, driven)
             }
             (Shape::Pair(of) | Shape::List(of, _), Tree::List(items)) => {
                 self.list(items, |_| **of, written, driven)

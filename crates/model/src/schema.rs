@@ -22,7 +22,7 @@ use crate::dimension::Dimension;
 use crate::shape::{
     Bound, Choice, Default, Drives, Field, Measure, Named, Need, Object, Shape, Tagged,
 };
-use crate::words::{DEFINITIONS, Definition, FILE, MATERIAL, MOTION, SEPARATE, TABLE_OF};
+use crate::words::{self, Definition};
 
 /// Text with a unit, or an expression.
 const QUANTITY_PATTERN: &str =
@@ -36,41 +36,38 @@ type Keys = Map<String, Value>;
 
 /// The JSON Schema (draft 2020-12) of a model file.
 pub fn schema() -> Value {
-    let mut file = object(&FILE, None);
+    let mut file = object(words::file(), None);
     let closed = file.remove("additionalProperties");
-    file.insert("title".into(), FILE.name.into());
+    file.insert("title".into(), words::file().name.into());
     file.insert(
         "$schema".into(),
         "https://json-schema.org/draft/2020-12/schema".into(),
     );
-    let definitions = DEFINITIONS
-        .iter()
-        .map(|one| (one.name().to_owned(), definition(one)));
+    let definitions = words::definitions().map(|(name, one)| (name.to_owned(), definition(one)));
     file.insert("$defs".into(), Value::Object(definitions.collect()));
     file.extend(closed.map(|closed| ("additionalProperties".to_owned(), closed)));
     Value::Object(file)
 }
 
-fn definition(definition: &Definition) -> Value {
+fn definition(definition: Definition) -> Value {
     match definition {
-        Definition::Format(choice) => {
-            let words: Vec<&str> = choice.words.iter().map(|word| word.0).collect();
-            json!({ "type": "string", "enum": words, "description": choice.about })
+        Definition::Format(about) => {
+            json!({ "type": "string", "enum": [crate::FORMAT], "description": about })
         }
         Definition::Point(about) => json!({
             "type": "string", "description": about, "pattern": "^[^.]+\\.[^.]+$", "x-reference": "point"
         }),
         Definition::Materials(about) => {
-            let same = json!({ "$ref": target(MATERIAL.name), "description": "One for both." });
-            json!({ "anyOf": [object(&SEPARATE, None), same], "description": about })
+            let same = json!({ "$ref": target("Material"), "description": "One for both." });
+            json!({ "anyOf": [object(words::object("Separate"), None), same], "description": about })
         }
-        Definition::Choice(choice) => words(choice),
+        Definition::Choice(choice) => choices(choice),
         Definition::Object(one) => Value::Object(object(one, None)),
         Definition::Tagged(one) => tagged(one),
     }
 }
 
-fn words(choice: &Choice) -> Value {
+fn choices(choice: &Choice) -> Value {
     let words = choice
         .words
         .iter()
@@ -96,7 +93,7 @@ fn tagged(tagged: &Tagged) -> Value {
 fn object(object: &Object, kind: Option<&str>) -> Keys {
     let mut properties = Keys::new();
     properties.extend(kind.map(|kind| ("type".into(), json!({ "type": "string", "const": kind }))));
-    for field in object.fields {
+    for field in &object.fields {
         properties.insert(
             field.key.into(),
             Value::Object(at(&field.shape, Some(field))),
@@ -330,11 +327,11 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         }
         Shape::Entries => places::points(&json!({ "items": places::value() })),
         Shape::Varying(dimension) => keys(json!({
-            "anyOf": [quantity(Measure::Of(*dimension)), reference(MOTION.name)],
+            "anyOf": [quantity(Measure::Of(*dimension)), reference("Motion")],
             "x-driven": dimension.name()
         })),
         Shape::Formula(dimension) => keys(json!({
-            "anyOf": [quantity(Measure::Of(*dimension)), reference(MOTION.name), reference(TABLE_OF.name)],
+            "anyOf": [quantity(Measure::Of(*dimension)), reference("Motion"), reference("TableOf")],
             "x-driven": dimension.name()
         })),
     };

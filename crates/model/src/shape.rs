@@ -238,9 +238,9 @@ pub struct Object {
     /// What it is.
     pub about: &'static str,
     /// Its keys.
-    pub fields: &'static [Field],
+    pub fields: Vec<Field>,
     /// Keys that it does not have, each with the reason.
-    pub refused: &'static [(&'static str, &'static str)],
+    pub refused: Vec<(&'static str, &'static str)>,
     /// What motions inside of it drive.
     pub drives: Drives,
     /// Two keys that belong together or exclude each other.
@@ -249,7 +249,7 @@ pub struct Object {
 
 impl Object {
     /// The field of a key.
-    pub fn field(&self, key: &str) -> Option<&'static Field> {
+    pub fn field(&self, key: &str) -> Option<&Field> {
         self.fields.iter().find(|field| field.key == key)
     }
 }
@@ -273,12 +273,12 @@ pub struct Tagged {
     /// What they are.
     pub about: &'static str,
     /// Each kind, its name the `type`.
-    pub variants: &'static [Object],
+    pub variants: Vec<Object>,
 }
 
 impl Tagged {
     /// The kind of a `type`.
-    pub fn variant(&self, name: &str) -> Option<&'static Object> {
+    pub fn variant(&self, name: &str) -> Option<&Object> {
         self.variants.iter().find(|variant| variant.name == name)
     }
 }
@@ -291,44 +291,5 @@ pub struct Choice {
     /// What they are for.
     pub about: &'static str,
     /// Each word, and what it means.
-    pub words: &'static [(&'static str, &'static str)],
-}
-
-/// A key that may not be left out.
-pub const fn required(key: &'static str, shape: Shape, about: &'static str) -> Field {
-    field(key, shape, Need::Required, about)
-}
-
-/// A key that may be left out; then there is nothing.
-pub const fn optional(key: &'static str, shape: Shape, about: &'static str) -> Field {
-    field(key, shape, Need::Optional, about)
-}
-
-/// A key that may be left out; the schema says what it is then.
-pub const fn default(
-    key: &'static str,
-    shape: Shape,
-    default: Default,
-    about: &'static str,
-) -> Field {
-    field(key, shape, Need::Default(default), about)
-}
-
-/// A key that may be left out; the schema does not say what it is then.
-pub const fn silent(
-    key: &'static str,
-    shape: Shape,
-    default: Default,
-    about: &'static str,
-) -> Field {
-    field(key, shape, Need::Silent(default), about)
-}
-
-const fn field(key: &'static str, shape: Shape, need: Need, about: &'static str) -> Field {
-    Field {
-        key,
-        about,
-        need,
-        shape,
-    }
+    pub words: Vec<(&'static str, &'static str)>,
 }

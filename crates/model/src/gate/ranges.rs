@@ -6,7 +6,7 @@ use super::holes::Holes;
 use crate::error::Complaint;
 use crate::shape::{Bound, Object, Shape};
 use crate::tree::Tree;
-use crate::words::{BODY, FILE, GROUND, LENGTH, MATERIAL, MOTION, PLACE, SEPARATE};
+use crate::words::{self, LENGTH};
 use crate::{GROUND as FIXED, Model};
 
 /// A name that a file can't hold: what is wrong, and what would be right.
@@ -41,7 +41,7 @@ pub(super) fn ranges(model: &Model, holes: &Holes) -> Vec<Complaint> {
         complaints: Vec::new(),
     };
     match Tree::of(model) {
-        tree @ Tree::Map(_) => look.object(&tree, &FILE),
+        tree @ Tree::Map(_) => look.object(&tree, words::file()),
         Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::List(_) => {
             look.complain("this is no model");
         }
@@ -81,7 +81,7 @@ impl Look<'_> {
     }
 
     fn object(&mut self, tree: &Tree, object: &Object) {
-        for field in object.fields {
+        for field in &object.fields {
             if let Some(value) = tree.get(field.key) {
                 self.key(field.key, |look| look.value(value, &field.shape));
             }
@@ -93,7 +93,7 @@ impl Look<'_> {
         match value {
             Tree::Number(number) => self.number(*number, Bound::Any),
             formula if formula.get("formula").is_some() => {}
-            motion => self.value(motion, &Shape::Tagged(&MOTION)),
+            motion => self.value(motion, &Shape::Tagged(words::kinds("Motion"))),
         }
     }
 
@@ -110,7 +110,7 @@ impl Look<'_> {
                 self.list(items, &Shape::Quantity(*measure, *bound), 0);
             }
             (Shape::Place, Tree::List(items)) => self.list(items, &LENGTH, 0),
-            (Shape::Place, place) => self.object(place, &PLACE),
+            (Shape::Place, place) => self.object(place, words::object("Place")),
             (Shape::ContactStiffness, Tree::Number(number)) => {
                 self.number(*number, Bound::Above(0.0));
             }
@@ -183,7 +183,7 @@ impl Look<'_> {
             self.complain("it is empty, at least one is needed");
         }
         for (name, value) in members {
-            self.named(name, value, &Shape::Object(&BODY));
+            self.named(name, value, &Shape::Object(words::object("Body")));
         }
         if let Some(ground) = members.get(FIXED) {
             self.key(FIXED, |look| look.ground(ground));
@@ -192,7 +192,8 @@ impl Look<'_> {
 
     fn materials(&mut self, materials: &Tree) {
         let is_one = materials.get("young_modulus").is_some();
-        self.object(materials, if is_one { &MATERIAL } else { &SEPARATE });
+        let name = if is_one { "Material" } else { "Separate" };
+        self.object(materials, words::object(name));
     }
 
     fn number(&mut self, number: f64, bound: Bound) {
@@ -263,7 +264,7 @@ impl Look<'_> {
     /// Ground has points and nothing else.
     fn ground(&mut self, ground: &Tree) {
         let rest = Tree::of(&crate::Body::default());
-        for (key, reason) in GROUND.refused {
+        for (key, reason) in &words::object("Ground").refused {
             if ground.get(key) != rest.get(key) {
                 self.key(key, |look| {
                     look.complain(*reason);

@@ -8,7 +8,7 @@ use crate::node::{Kind, Node};
 use crate::shape::Shape;
 use crate::tree::Tree;
 use crate::walk::Driven;
-use crate::words::{LENGTH, PLACE};
+use crate::words::{self, LENGTH};
 
 impl Printer<'_> {
     /// Least and greatest value, or one number where they are the same and the file does not say it twice.
@@ -45,11 +45,19 @@ impl Printer<'_> {
             Tree::List(items) if !is_object => self.list(items, |_| LENGTH, written, driven),
             Tree::List(_) => {
                 let place = IndexMap::from([("position".to_owned(), tree.clone())]);
-                Value::Object(self.object(&Tree::Map(place), &PLACE, None, written, driven))
+                Value::Object(self.object(
+                    &Tree::Map(place),
+                    words::object("Place"),
+                    None,
+                    written,
+                    driven,
+                ))
             }
-            place if is_object => Value::Object(self.object(place, &PLACE, None, written, driven)),
+            place if is_object => {
+                Value::Object(self.object(place, words::object("Place"), None, written, driven))
+            }
             place => {
-                let mut object = self.object(place, &PLACE, None, None, driven);
+                let mut object = self.object(place, words::object("Place"), None, None, driven);
                 // the file has the coordinates alone
                 if let Some(position) = place.get("position") {
                     let position = self.place(position, written, driven);

@@ -5,7 +5,7 @@ use serde_json::json;
 use super::{Keys, QUANTITY_PATTERN, at, keys, list, note, said, target};
 use crate::dimension::Dimension;
 use crate::shape::{Asked, Bound, Field, Measure, Shape};
-use crate::words::{LENGTH, PARAMETER, PLACE, RESPONSE};
+use crate::words::LENGTH;
 
 /// Name of a parameter.
 const PARAMETER_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_]*$";
@@ -59,7 +59,7 @@ pub fn parameters(field: Option<&Field>) -> Keys {
         "description": "A plain number, text with a unit, or \"=\" and an expression of other parameters."
     }));
     plain.extend(value());
-    let value = json!({ "anyOf": [plain, { "$ref": target(PARAMETER.name) }] });
+    let value = json!({ "anyOf": [plain, { "$ref": target("Parameter") }] });
     let mut keys = keys(json!({
         "type": "object", "propertyNames": { "pattern": PARAMETER_PATTERN }, "x-parameters": true,
         "additionalProperties": value
@@ -80,7 +80,7 @@ pub fn range(measure: Measure, bound: Bound) -> Keys {
 
 /// Two coordinates, or these with a tolerance.
 pub fn place() -> Keys {
-    keys(json!({ "anyOf": [list(&LENGTH, 2, Some(2)), { "$ref": target(PLACE.name) }] }))
+    keys(json!({ "anyOf": [list(&LENGTH, 2, Some(2)), { "$ref": target("Place") }] }))
 }
 
 /// A deviation to either side, or both.
@@ -92,7 +92,7 @@ pub fn deviations() -> Keys {
 
 /// The text of a response, alone or with limits.
 pub fn response() -> Keys {
-    keys(json!({ "anyOf": [{ "type": "string" }, { "$ref": target(RESPONSE.name) }] }))
+    keys(json!({ "anyOf": [{ "type": "string" }, { "$ref": target("Response") }] }))
 }
 
 /// What is asked of an optimisation: parameters with their bounds, or text.

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use crate::shape::{Asked, Need, Object, Shape};
-use crate::words::MATERIAL;
+use crate::words;
 
 /// A value of a shape that stands for none.
 pub fn filler(shape: &Shape) -> Value {
@@ -41,7 +41,7 @@ pub fn filler(shape: &Shape) -> Value {
         Shape::Map(_) | Shape::Bodies | Shape::Responses | Shape::Asked(Asked::Design) => {
             Value::Object(Map::new())
         }
-        Shape::Materials => empty(&MATERIAL, None),
+        Shape::Materials => empty(words::object("Material"), None),
         Shape::Object(object) => empty(object, None),
         Shape::Tagged(tagged) => tagged
             .variants

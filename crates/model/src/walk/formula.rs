@@ -11,14 +11,14 @@ use crate::formula::{Arguments, misfit};
 use crate::node::{Kind, Node};
 use crate::response::{Catalogue, Constant};
 use crate::shape::Measure;
-use crate::words::MOTION;
+use crate::words;
 
 impl Walk<'_> {
     /// A quantity, or a motion of it.
     pub(super) fn varying(&mut self, node: &Node, of: Dimension, path: &str) -> Option<Value> {
         let driven = Driven::Dimension(of);
         match node.kind {
-            Kind::Object(_) => self.tagged(node, &MOTION, path, driven),
+            Kind::Object(_) => self.tagged(node, words::kinds("Motion"), path, driven),
             _ => {
                 let value = self.quantity(node, Measure::Of(of), path, driven);
                 value.map(Value::from)

@@ -8,7 +8,7 @@ use crate::error::Complaint;
 use crate::gate::length_fault;
 use crate::node::{Kind, Node};
 use crate::shape::{Bound, Measure, Shape};
-use crate::words::{LENGTH, PLACE};
+use crate::words::{self, LENGTH};
 
 /// Least and most entries of a list.
 type Length = (usize, Option<usize>);
@@ -62,7 +62,7 @@ impl Walk<'_> {
     /// Two coordinates, or these with a tolerance.
     pub(super) fn place(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
         match node.kind {
-            Kind::Object(_) => self.object(node, &PLACE, None, path, driven),
+            Kind::Object(_) => self.object(node, words::object("Place"), None, path, driven),
             _ => self.list(node, &LENGTH, (2, Some(2)), path, driven),
         }
     }

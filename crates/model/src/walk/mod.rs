@@ -18,7 +18,7 @@ mod table;
 mod units;
 
 pub use lists::{COLUMNS, entry_driven};
-pub use object::{NOTE, shape_of};
+pub use object::{NOTE, body_of, shape_of};
 pub use otherwise::{recorded, walk_deviating, walk_given};
 use state::Early;
 pub use units::{Driven, Units, display};
@@ -39,7 +39,7 @@ use crate::source::Source;
 use crate::suggest;
 use crate::table::Table;
 use crate::tolerance::Tolerance;
-use crate::words::{FILE, MATERIAL, SEPARATE};
+use crate::words;
 
 /// Complaints after which the rest is only counted; placing them takes time.
 const ENOUGH: usize = 200;
@@ -202,7 +202,12 @@ impl<'a> Walk<'a> {
         let source = self.source;
         self.read_tables(source.root.get("tables"));
         self.read_states(source.root.get("states"));
-        self.value(&source.root, &Shape::Object(&FILE), "", Driven::Nothing)
+        self.value(
+            &source.root,
+            &Shape::Object(words::file()),
+            "",
+            Driven::Nothing,
+        )
     }
 
     /// Complains about a value.
@@ -307,11 +312,9 @@ impl<'a> Walk<'a> {
                     Kind::Object(members) => members.keys().filter(|key| object.has(key)).count(),
                     _ => 0,
                 };
-                let object = if keys(&SEPARATE) >= keys(&MATERIAL) {
-                    &SEPARATE
-                } else {
-                    &MATERIAL
-                };
+                let (separate, one) = (words::object("Separate"), words::object("Material"));
+                let is_separate = keys(separate) >= keys(one);
+                let object = if is_separate { separate } else { one };
                 self.object(node, object, None, path, driven)
             }
             Shape::Responses => self.responses(node, path, driven),
@@ -337,7 +340,7 @@ impl<'a> Walk<'a> {
         }
         let word = path.rsplit(['.', ']']).next().unwrap_or(path);
         let hint = match (choices, suggest::meant(text, choices)) {
-            (["SI"], _) => format!("write {}", examples::UNITS),
+            (["SI"], _) => format!("write {}", examples::example("units").unwrap_or_default()),
             ([only], _) if word != "type" => format!("{only:?} is expected"),
             (_, Some(near)) => format!("did you mean {near:?}?"),
             (_, None) => format!("one of {}", any()),

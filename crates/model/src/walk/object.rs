@@ -13,7 +13,7 @@ use crate::gate::name_fault;
 use crate::node::{Kind, Member, Node, join};
 use crate::shape::{Bound, Drives, Either, Field, Measure, Need, Object, Shape, Tagged};
 use crate::suggest;
-use crate::words::{BODY, GROUND};
+use crate::words;
 
 /// The key of a remark.
 pub const NOTE: &str = "note";
@@ -41,6 +41,11 @@ pub fn shape_of(field: &Field, law: Option<&str>) -> Shape {
         }
         (shape, _) => shape,
     }
+}
+
+/// What a body is; `ground` is one of its own kind.
+pub fn body_of(name: &str) -> &'static Object {
+    words::object(if name == FIXED { "Ground" } else { "Body" })
 }
 
 impl Walk<'_> {
@@ -231,14 +236,14 @@ impl Walk<'_> {
     }
 
     /// Complains about a key that is not known; the field that was probably meant.
-    fn unknown_key(
+    fn unknown_key<'o>(
         &mut self,
         key: &str,
-        object: &Object,
+        object: &'o Object,
         kind: Option<&str>,
         members: &Members,
         path: &str,
-    ) -> Option<&'static Field> {
+    ) -> Option<&'o Field> {
         let origin = members.get(key)?.key;
         if let Some((_, reason)) = object.refused.iter().find(|row| row.0 == key) {
             self.complain_key(origin, key, Complaint::new(path, *reason));
@@ -289,9 +294,7 @@ impl Walk<'_> {
 
     /// Bodies by their names; `ground` is one of its own kind.
     pub(super) fn bodies(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
-        self.entries(node, path, driven, |name| {
-            Shape::Object(if name == FIXED { &GROUND } else { &BODY })
-        })
+        self.entries(node, path, driven, |name| Shape::Object(body_of(name)))
     }
 
     fn entries(

@@ -10,7 +10,7 @@ use crate::node::{Kind, Node, join};
 use crate::shape::Bound;
 use crate::tolerance::{Distribution, Tolerance};
 use crate::units::split_quantity;
-use crate::words::PARAMETER;
+use crate::words;
 
 impl Walk<'_> {
     /// Reads the tolerances of all parameters that have one.
@@ -29,7 +29,7 @@ impl Walk<'_> {
         let nominal = self.parameters.value(name);
         let driven = nominal.map_or(Driven::Unknown, Driven::Parameter);
         let before = self.complaints.len() + self.more;
-        let value = self.object(node, &PARAMETER, None, path, driven);
+        let value = self.object(node, words::object("Parameter"), None, path, driven);
         if self.complaints.len() + self.more > before {
             return;
         }

@@ -8,7 +8,7 @@ use crate::expression::{Misfit, Quantity, is_expression, quantity};
 use crate::node::{Kind, Node, join};
 use crate::response::{Catalogue, Constant};
 use crate::shape::Shape;
-use crate::words::RESPONSE;
+use crate::words;
 
 impl Walk<'_> {
     /// Lets responses name the results of a model.
@@ -53,7 +53,7 @@ impl Walk<'_> {
                     Some((quantity, _)) => Driven::Parameter(*quantity),
                     None => Driven::Unknown,
                 };
-                match self.object(node, &RESPONSE, None, path, driven)? {
+                match self.object(node, words::object("Response"), None, path, driven)? {
                     Value::Object(out) => out,
                     _ => Map::new(),
                 }

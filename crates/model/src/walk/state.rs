@@ -11,7 +11,7 @@ use crate::node::{Kind, Node, join};
 use crate::response::Constant;
 use crate::state::State;
 use crate::units::{Unit, split_quantity};
-use crate::words::STATE;
+use crate::words;
 
 /// A state while the file is read.
 pub struct Early {
@@ -92,7 +92,7 @@ impl Walk<'_> {
         let before = self.faults();
         self.object(
             node,
-            &STATE,
+            words::object("State"),
             None,
             path,
             super::Driven::Nothing,

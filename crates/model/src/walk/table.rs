@@ -11,7 +11,7 @@ use crate::node::{Kind, Node, join};
 use crate::shape::Object;
 use crate::table::{MOST_POINTS, Table, unit};
 use crate::units::{Unit, split_quantity, with_decimal_point};
-use crate::words::{TABLE, TABLE_OF};
+use crate::words;
 
 /// A column of a table.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +33,7 @@ impl Walk<'_> {
             .filter(|(_, one)| one.node.as_str().is_none())
         {
             let path = join("tables", name);
-            let table = self.points_of(&member.node, &TABLE, &path, [None; 2]);
+            let table = self.points_of(&member.node, words::object("Table"), &path, [None; 2]);
             if self.parameters.has(name) {
                 let message = format!("there is a parameter {name:?}, too");
                 let complaint = Complaint::new(path, message);
@@ -72,7 +72,7 @@ impl Walk<'_> {
         let table = match known {
             Some((_, table, _)) => table.clone()?,
             // a printer looks at one alone
-            None => self.points_of(node, &TABLE, path, [None; 2])?,
+            None => self.points_of(node, words::object("Table"), path, [None; 2])?,
         };
         Some(json!(table))
     }
@@ -109,7 +109,7 @@ impl Walk<'_> {
             .as_ref()
             .and_then(|(_, (moving, _))| moving.quantity.dimension());
         let plain = [plain(places), plain(Some(wanted))];
-        let table = self.points_of(node, &TABLE_OF, path, plain);
+        let table = self.points_of(node, words::object("TableOf"), path, plain);
         let ((text, (moving, constants)), table) = read.zip(table)?;
         if !moving.has_arguments() {
             let complaint = Complaint::new(join(path, "of"), "nothing moves here");

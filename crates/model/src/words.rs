@@ -1,0 +1,383 @@
+//! The words of a model file: what each key means, and what may stand there. All of it stands in the table `words.txt`, from
+//! which a file is read, the numbers of a model are checked, a model is printed back and the schema is made.
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use crate::dimension::Dimension;
+use crate::shape::{
+    Asked, Bound, Choice, Default, Drives, Either, Field, Measure, Named, Need, Object, Shape,
+    Tagged,
+};
+
+const TABLE: &str = include_str!("words.txt");
+
+/// A length.
+pub const LENGTH: Shape = Shape::Quantity(Measure::Of(Dimension::Length), Bound::Any);
+
+/// What is described under a name.
+#[derive(Debug, Clone, Copy)]
+pub enum Definition {
+    /// The formats that this version reads.
+    Format(&'static str),
+    /// A point, and what it is.
+    Point(&'static str),
+    /// Materials, and what they are.
+    Materials(&'static str),
+    /// Words.
+    Choice(&'static Choice),
+    /// An object.
+    Object(&'static Object),
+    /// Objects told apart by their `type`.
+    Tagged(&'static Tagged),
+}
+
+static WORDS: LazyLock<Words> = LazyLock::new(|| Words::read(TABLE));
+
+/// An object of the table.
+///
+/// # Panics
+/// The table has none of this name; the names in the code are those of the table.
+pub fn object(name: &str) -> &'static Object {
+    match WORDS.known.get(name) {
+        Some(Definition::Object(found)) => found,
+        _ => panic!("words.txt describes no object {name:?}"),
+    }
+}
+
+/// The whole file.
+pub fn file() -> &'static Object {
+    object("linkdyn/1")
+}
+
+/// Objects of the table that are told apart by their `type`.
+///
+/// # Panics
+/// As [`object`].
+pub fn kinds(name: &str) -> &'static Tagged {
+    match WORDS.known.get(name) {
+        Some(Definition::Tagged(found)) => found,
+        _ => panic!("words.txt describes no kinds of {name:?}"),
+    }
+}
+
+/// All that the schema defines by a name, in the order of the table.
+pub fn definitions() -> impl Iterator<Item = (&'static str, Definition)> {
+    let defined = WORDS.blocks.iter();
+    let defined = defined.filter(|block| !matches!(block.word, "file" | "part" | "kind"));
+    defined.filter_map(|block| Some((block.name, *WORDS.known.get(block.name)?)))
+}
+
+/// A description in the table: its first line, and the lines below.
+#[derive(Debug)]
+struct Block {
+    word: &'static str,
+    name: &'static str,
+    about: &'static str,
+    rows: Vec<&'static str>,
+}
+
+/// The table as read.
+struct Words {
+    blocks: Vec<Block>,
+    known: HashMap<&'static str, Definition>,
+}
+
+impl Words {
+    /// Reads the whole table, which is a part of the program: a line that can't be read ends it with that line.
+    fn read(table: &'static str) -> Words {
+        let mut blocks: Vec<Block> = Vec::new();
+        let lines = table.lines().filter(|line| !line.starts_with('#'));
+        for line in lines.filter(|line| !line.is_empty()) {
+            match (line.strip_prefix("  "), blocks.last_mut()) {
+                (Some(row), Some(block)) => block.rows.push(row),
+                _ => blocks.push(first_line(line).unwrap_or_else(|| broken(line))),
+            }
+        }
+        let mut reader = Reader {
+            blocks: &blocks,
+            known: HashMap::new(),
+        };
+        for (index, block) in blocks.iter().enumerate() {
+            if block.word != "kind" {
+                reader.define(index);
+            }
+        }
+        let known = reader.known;
+        Words { blocks, known }
+    }
+}
+
+fn broken(line: &str) -> ! {
+    panic!("this line of words.txt can't be read: {line}")
+}
+
+/// What is kept for ever.
+fn kept<T>(value: T) -> &'static T {
+    Box::leak(Box::new(value))
+}
+
+/// `word Name: about`.
+fn first_line(line: &'static str) -> Option<Block> {
+    let (head, about) = line.split_once(": ")?;
+    let (word, name) = head.split_once(' ')?;
+    Some(Block {
+        word,
+        name,
+        about,
+        rows: Vec::new(),
+    })
+}
+
+/// Reads descriptions, each after those that it names.
+struct Reader<'b> {
+    blocks: &'b [Block],
+    known: HashMap<&'static str, Definition>,
+}
+
+impl Reader<'_> {
+    fn define(&mut self, index: usize) -> Definition {
+        let blocks = self.blocks;
+        let block = &blocks[index];
+        if let Some(known) = self.known.get(block.name) {
+            return *known;
+        }
+        let Block { name, about, .. } = *block;
+        let found = match block.word {
+            "format" => Definition::Format(about),
+            "point" => Definition::Point(about),
+            "materials" => Definition::Materials(about),
+            "choice" => Definition::Choice(kept(Choice {
+                name,
+                about,
+                words: block.rows.iter().map(|&row| columns(row)).collect(),
+            })),
+            "kinds" => {
+                let kinds = blocks[index + 1..].iter();
+                let kinds = kinds.take_while(|block| block.word == "kind");
+                Definition::Tagged(kept(Tagged {
+                    name,
+                    about,
+                    variants: kinds.map(|kind| self.object(kind)).collect(),
+                }))
+            }
+            _ => Definition::Object(kept(self.object(block))),
+        };
+        self.known.insert(name, found);
+        found
+    }
+
+    fn object(&mut self, block: &Block) -> Object {
+        let mut object = Object {
+            name: block.name,
+            about: block.about,
+            fields: Vec::new(),
+            refused: Vec::new(),
+            drives: Drives::Nothing,
+            either: None,
+        };
+        for &row in &block.rows {
+            let read = match row.contains('|') {
+                true => self.field(row).map(|field| object.fields.push(field)),
+                false => beside(row, &mut object),
+            };
+            read.unwrap_or_else(|| broken(row));
+        }
+        object
+    }
+
+    /// `key | what stands there | need | about`.
+    fn field(&mut self, row: &'static str) -> Option<Field> {
+        let (key, rest) = columns(row);
+        let (shape, rest) = columns(rest);
+        let (need, about) = columns(rest);
+        let need = match need.split_once(' ') {
+            None if need.is_empty() => Need::Optional,
+            None if need == "required" => Need::Required,
+            Some(("=", value)) => Need::Default(default(value)?),
+            Some(("~", value)) => Need::Silent(default(value)?),
+            _ => return None,
+        };
+        let shape = self.shape(shape)?;
+        Some(Field {
+            key,
+            about,
+            need,
+            shape,
+        })
+    }
+
+    /// What stands at a place: a word, what it is of, and which numbers are legal.
+    fn shape(&mut self, text: &'static str) -> Option<Shape> {
+        let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
+        let rest = rest.strip_prefix("of ").unwrap_or(rest);
+        let quantity = |text: &str| {
+            let (measure, legal) = text.split_once(' ').unwrap_or((text, ""));
+            Some((self::measure(measure)?, bound(legal)?))
+        };
+        Some(match word {
+            "format" => Shape::Format,
+            "units" => Shape::Units,
+            "parameters" => Shape::Parameters,
+            "text" => Shape::Text,
+            "name" => Shape::Name(match rest {
+                "body" => Named::Body,
+                "joint" => Named::Joint,
+                "driver" => Named::Driver,
+                _ => return None,
+            }),
+            "point" => Shape::Point,
+            "range" => quantity(rest).map(|(measure, bound)| Shape::Range(measure, bound))?,
+            "axes" => quantity(rest).map(|(measure, bound)| Shape::PerAxis(measure, bound))?,
+            "end" => Shape::End(measure(rest)?),
+            "place" => Shape::Place,
+            "nominal" => Shape::Nominal,
+            "deviations" => Shape::Deviations,
+            "alike" => Shape::Alike(bound(rest)?),
+            "number" => Shape::Number(bound(rest)?),
+            "coefficient" => Shape::Coefficient(bound(rest)?),
+            "count" => {
+                let (least, most) = rest.strip_prefix("from ")?.split_once(" to ")?;
+                Shape::Count(least.parse().ok()?, most.parse().ok()?)
+            }
+            "contact_stiffness" => Shape::ContactStiffness,
+            "direction" => Shape::Direction,
+            "pair" => Shape::Pair(kept(self.shape(rest)?)),
+            "list" => {
+                let (least, of) = rest.split_once(" of ")?;
+                Shape::List(kept(self.shape(of)?), least.parse().ok()?)
+            }
+            "table" => Shape::Table,
+            "curve" => Shape::Curve(self.named(rest)?),
+            "state" => Shape::State(self.named(rest)?),
+            "entries" => Shape::Entries,
+            "entry" => Shape::Entry,
+            "varying" => Shape::Varying(Dimension::from_name(rest)?),
+            "formula" => Shape::Formula(Dimension::from_name(rest)?),
+            "event" => Shape::Event,
+            "materials" => Shape::Materials,
+            "map" => Shape::Map(kept(self.shape(rest)?)),
+            "responses" => Shape::Responses,
+            "response" => Shape::Response,
+            "limit" => Shape::Limit,
+            "design" => Shape::Asked(Asked::Design),
+            "sought" => Shape::Asked(Asked::Value),
+            "constraint" => Shape::Asked(Asked::Constraint),
+            "bodies" => Shape::Bodies,
+            name if name.starts_with(char::is_uppercase) => match self.find(name)? {
+                Definition::Choice(of) => Shape::Choice(of),
+                Definition::Object(of) => Shape::Object(of),
+                Definition::Tagged(of) => Shape::Tagged(of),
+                Definition::Format(_) | Definition::Point(_) | Definition::Materials(_) => {
+                    return None;
+                }
+            },
+            _ => quantity(text).map(|(measure, bound)| Shape::Quantity(measure, bound))?,
+        })
+    }
+
+    fn find(&mut self, name: &str) -> Option<Definition> {
+        let is_it = |block: &Block| block.name == name && block.word != "kind";
+        let index = self.blocks.iter().position(is_it)?;
+        Some(self.define(index))
+    }
+
+    fn named(&mut self, name: &str) -> Option<&'static Object> {
+        match self.find(name)? {
+            Definition::Object(object) => Some(object),
+            _ => None,
+        }
+    }
+}
+
+/// The first column of a row, and the rest.
+fn columns(row: &'static str) -> (&'static str, &'static str) {
+    let (first, rest) = row.split_once('|').unwrap_or((row, ""));
+    (first.trim(), rest.trim())
+}
+
+/// What is said of an object beside its keys.
+fn beside(row: &'static str, object: &mut Object) -> Option<()> {
+    let (head, said) = row.split_once(": ").unwrap_or((row, ""));
+    let (word, rest) = head.split_once(' ').unwrap_or((head, ""));
+    if word == "refused" {
+        object.refused.push((rest, said));
+        return Some(());
+    }
+    if word == "drives" {
+        object.drives = match said {
+            "sampled" => Drives::Sampled,
+            "posed" => Drives::Posed,
+            "measured" => Drives::Measured,
+            dimension => Drives::Always(Dimension::from_name(dimension)?),
+        };
+        return Some(());
+    }
+    // "one of a, b: …", "any of a, b: …", "not both a, b"
+    let (first, second) = rest.split_once(' ')?.1.split_once(", ")?;
+    object.either = Some(Either {
+        keys: [first, second],
+        needed: (!said.is_empty()).then_some(said),
+        exclusive: word != "any",
+    });
+    Some(())
+}
+
+fn measure(name: &str) -> Option<Measure> {
+    Some(match name {
+        "linear_stiffness" => Measure::LinearStiffness,
+        "driven" => Measure::Driven,
+        "driven_velocity" => Measure::DrivenVelocity,
+        "driven_acceleration" => Measure::DrivenAcceleration,
+        "driven_jerk" => Measure::DrivenJerk,
+        "driven_coefficient" => Measure::DrivenCoefficient,
+        name => Measure::Of(Dimension::from_name(name)?),
+    })
+}
+
+/// `>= 0`, `> 0`, `> 0 to 1`, `from 0 to 1` or `not 0`.
+fn bound(text: &str) -> Option<Bound> {
+    let number = |text: &str| text.parse::<f64>().ok();
+    let (sign, rest) = text.split_once(' ').unwrap_or((text, ""));
+    Some(match (sign, rest.split_once(" to ")) {
+        ("", _) => Bound::Any,
+        (">=", None) => Bound::AtLeast(number(rest)?),
+        (">", None) => Bound::Above(number(rest)?),
+        (">", Some((limit, most))) => Bound::Within(number(limit)?, number(most)?),
+        ("from", Some((least, most))) => Bound::Between(number(least)?, number(most)?),
+        ("not", None) if rest == "0" => Bound::NotZero,
+        _ => return None,
+    })
+}
+
+fn default(text: &'static str) -> Option<Default> {
+    Some(match text {
+        "0" => Default::Zero,
+        "[0, 0]" => Default::Zeros,
+        "empty" => Default::Empty,
+        "same" => Default::Same,
+        text => match text.strip_prefix("number ") {
+            Some(number) => Default::Number(number.parse().ok()?),
+            None => Default::Text(text),
+        },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_can_be_read_and_names_nothing_twice() {
+        let words = Words::read(TABLE);
+        let named = words.blocks.iter().filter(|block| block.word != "kind");
+        assert_eq!(named.count(), words.known.len());
+        for block in &words.blocks {
+            let mut keys: Vec<&str> = block.rows.iter().map(|&row| columns(row).0).collect();
+            let count = keys.len();
+            keys.sort_unstable();
+            keys.dedup();
+            assert_eq!(keys.len(), count, "{}", block.name);
+        }
+    }
+}
