@@ -8,15 +8,13 @@ use super::{DriverKind, Model, PointRef};
 
 /// What is asked of the mechanism's accuracy.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[serde(default)]
 pub struct Accuracy {
     /// Outputs by their names.
-    #[serde(default)]
     pub outputs: IndexMap<String, AccuracyOutput>,
     /// Where pins are within their clearances.
-    #[serde(default)]
     pub pins: Pins,
     /// How much is worked out.
-    #[serde(default)]
     pub levels: Levels,
 }
 
@@ -89,7 +87,6 @@ impl Measured {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct At {
     /// Name of the driver; may be left out where there is only one.
-    #[serde(default)]
     pub driver: Option<String>,
     /// Value of the driver \[rad or m\].
     pub value: f64,
@@ -98,13 +95,9 @@ pub struct At {
 /// An output as a file has it.
 #[derive(Clone, Deserialize, Serialize)]
 struct OutputWords {
-    #[serde(default)]
     column: Option<String>,
-    #[serde(default)]
     distance: Option<[PointRef; 2]>,
-    #[serde(default)]
     at: Option<At>,
-    #[serde(default)]
     limits: Option<[f64; 2]>,
 }
 

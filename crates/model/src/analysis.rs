@@ -52,13 +52,10 @@ pub struct Analysis {
     #[serde(rename = "type")]
     pub kind: AnalysisKind,
     /// End time \[s\], start is 0.
-    #[serde(default)]
     pub end: Option<f64>,
     /// Number of equally spaced output instants, both ends included.
-    #[serde(default)]
     pub outputs: Option<usize>,
     /// Instead of both: outputs equally spaced in a driver's value.
-    #[serde(default)]
     pub sample: Option<Sample>,
     /// Which instants are outputs: equally spaced ones alone, or those of located events, too.
     #[serde(default)]
@@ -70,7 +67,6 @@ pub struct Analysis {
     #[serde(default)]
     pub columns: Vec<String>,
     /// What the report's mechanical advantage and transmission angles are of.
-    #[serde(default)]
     pub transmission: Option<Transmission>,
 }
 
@@ -78,7 +74,6 @@ pub struct Analysis {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Transmission {
     /// Name of the driver; may be left out where there is only one.
-    #[serde(default)]
     pub driver: Option<String>,
     /// The driven body: its slide where a prismatic joint holds it to ground, else its angle.
     pub output: String,

@@ -1,13 +1,11 @@
 //! Bodies: points, mass, pose guess, and initial values.
 
-mod words;
-
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 /// A rigid body. `ground` has only points.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
-#[serde(from = "words::BodyWords")]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[serde(from = "BodyWords", into = "BodyWords")]
 pub struct Body {
     /// Mass \[kg\].
     pub mass: Option<f64>,
@@ -54,4 +52,75 @@ pub struct Initial {
     #[doc(hidden)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub branch: Option<f64>,
+}
+
+/// A body as a file has it: its points with their tolerances.
+#[derive(Deserialize, Serialize)]
+struct BodyWords {
+    mass: Option<f64>,
+    inertia: Option<f64>,
+    com: Option<[f64; 2]>,
+    #[serde(default)]
+    points: IndexMap<String, Place>,
+    #[serde(default)]
+    pose: Pose,
+}
+
+/// Two coordinates, or these with a tolerance.
+#[derive(Deserialize, Serialize)]
+#[serde(untagged)]
+enum Place {
+    Exact([f64; 2]),
+    Tolerated {
+        position: [f64; 2],
+        tolerance: Option<f64>,
+    },
+}
+
+impl From<BodyWords> for Body {
+    fn from(words: BodyWords) -> Self {
+        let mut body = Body {
+            mass: words.mass,
+            inertia: words.inertia,
+            com: words.com,
+            points: IndexMap::with_capacity(words.points.len()),
+            point_tolerances: IndexMap::new(),
+            pose: words.pose,
+        };
+        for (name, place) in words.points {
+            let (position, tolerance) = match place {
+                Place::Exact(position) => (position, None),
+                Place::Tolerated {
+                    position,
+                    tolerance,
+                } => (position, tolerance),
+            };
+            let tolerance = tolerance.map(|tolerance| (name.clone(), tolerance));
+            body.point_tolerances.extend(tolerance);
+            body.points.insert(name, position);
+        }
+        body
+    }
+}
+
+impl From<Body> for BodyWords {
+    fn from(body: Body) -> Self {
+        let place = |(name, position): (String, [f64; 2])| {
+            let place = match body.point_tolerances.get(&name) {
+                None => Place::Exact(position),
+                Some(&tolerance) => Place::Tolerated {
+                    position,
+                    tolerance: Some(tolerance),
+                },
+            };
+            (name, place)
+        };
+        BodyWords {
+            mass: body.mass,
+            inertia: body.inertia,
+            com: body.com,
+            points: body.points.into_iter().map(place).collect(),
+            pose: body.pose,
+        }
+    }
 }

@@ -6,20 +6,17 @@ use crate::tolerance::Limits;
 
 /// A pin that yields in all directions and holds no constraint.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
+#[serde(default)]
 pub struct Bushing {
     /// Force on the second body by how far its point is from the first [N/m].
     pub radial_stiffness: PerAxis,
     /// The same by the rate of that [N·s/m].
-    #[serde(default)]
     pub radial_damping: PerAxis,
     /// Torque on the second body by its angle in the first [N·m/rad].
-    #[serde(default)]
     pub torsional_stiffness: f64,
     /// The same by the rate of that [N·m·s/rad].
-    #[serde(default)]
     pub torsional_damping: f64,
     /// θ₂ − θ₁ at which it exerts no torque \[rad\].
-    #[serde(default)]
     pub free_angle: f64,
 }
 

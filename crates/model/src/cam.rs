@@ -12,10 +12,8 @@ pub struct Cam {
     /// What touches the profile.
     pub follower: Follower,
     /// Direction of a flat face in the follower's frame; the cam lies to its right.
-    #[serde(default)]
     pub face: Option<[f64; 2]>,
     /// Radius of a roller \[m\].
-    #[serde(default)]
     pub roller_radius: Option<f64>,
     /// The shape of the cam, or the motion that it gives.
     pub profile: Profile,
@@ -55,7 +53,6 @@ pub enum Profile {
         /// Radius of the base circle \[m\].
         base_radius: f64,
         /// Direction away from the cam in which the follower slides, in its frame.
-        #[serde(default)]
         axis: Option<[f64; 2]>,
         /// How far to the right of the cam's point the line lies on which the follower slides \[m\].
         #[serde(default)]
@@ -88,25 +85,18 @@ pub enum Profile {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
 pub struct CamSegment {
     /// How it rises.
-    #[serde(default)]
     pub law: Option<RiseLaw>,
     /// How far it goes [m or rad].
-    #[serde(default)]
     pub rise: Option<f64>,
     /// Value after, instead [m or rad].
-    #[serde(default)]
     pub end: Option<f64>,
     /// Angle of the cam over which it goes \[rad\].
-    #[serde(default)]
     pub angle: Option<f64>,
     /// As of [`crate::Paced`].
-    #[serde(default)]
     pub ramp: Option<f64>,
     /// As of [`crate::Paced`].
-    #[serde(default)]
     pub rounding: Option<f64>,
     /// Angle of the cam over which it stays where it is \[rad\].
-    #[serde(default)]
     pub dwell: Option<f64>,
 }
 

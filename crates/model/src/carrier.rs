@@ -24,22 +24,14 @@ impl Model {
     /// No body holds both centres, not the one that the file names, or the centres are one.
     #[doc(hidden)]
     pub fn carrier(&self, name: &str, joint: &Joint) -> Option<Result<Carrier<'_>, Complaint>> {
-        match &joint.kind {
-            JointKind::Gear { carrier, .. } => {
-                Some(self.find_carrier(name, &joint.between, carrier.as_deref()))
-            }
-            JointKind::Belt { carrier, .. } => {
-                Some(self.of_belt(name, &joint.between, carrier.as_deref()))
-            }
-            JointKind::Revolute { .. }
-            | JointKind::Prismatic { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Bushing(_) => None,
-        }
+        let (JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. }) = &joint.kind else {
+            return None;
+        };
+        let (between, carrier) = (&joint.between, carrier.as_deref());
+        Some(match joint.kind {
+            JointKind::Belt { .. } => self.of_belt(name, between, carrier),
+            _ => self.find_carrier(name, between, carrier),
+        })
     }
 
     /// The body in which the line of centres of a belt turns little: any that the file names, else the one that holds both.
@@ -139,15 +131,5 @@ impl Model {
 
 /// Whether the joint's points coincide (but for a clearance).
 fn holds_points(kind: &JointKind) -> bool {
-    match kind {
-        JointKind::Revolute { .. } | JointKind::Fixed { .. } => true,
-        JointKind::Prismatic { .. }
-        | JointKind::Slot { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_) => false,
-    }
+    matches!(kind, JointKind::Revolute { .. } | JointKind::Fixed { .. })
 }

@@ -26,8 +26,8 @@ pub enum ClearanceModel {
 }
 
 /// Clearance of a revolute joint; parameters of models other than the one in use are kept as written.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
-#[serde(from = "words::ClearanceWords")]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[serde(from = "words::ClearanceWords", into = "words::ClearanceWords")]
 pub struct Clearance {
     /// How it is modelled.
     pub model: ClearanceModel,
@@ -109,19 +109,14 @@ pub struct Normal {
     /// The law.
     pub law: NormalLaw,
     /// Stiffness K [N/m^exponent], a plain SI number, for `kelvin_voigt` also text with a unit; left out, it follows from `elastic`. Not used by the cylindrical laws.
-    #[serde(default)]
     pub stiffness: Option<f64>,
     /// Exponent n of Kδⁿ [–], at least 1, default 3/2 (Hertz); `kelvin_voigt` has 1, the cylindrical laws their own.
-    #[serde(default)]
     pub exponent: Option<f64>,
     /// Coefficient of restitution c [–], 0 to 1, above 0 for `flores`, `gonthier` and `hu_guo`; without it the cylindrical laws are elastic.
-    #[serde(default)]
     pub restitution: Option<f64>,
     /// Damping D of `kelvin_voigt` [N·s/m].
-    #[serde(default)]
     pub damping: Option<f64>,
     /// Elastic constants that give K = 4/(3(h_b + h_j))·√(R_b R_j/(R_b − R_j)), h = (1 − ν²)/E (Goldsmith 1960).
-    #[serde(default)]
     pub elastic: Option<Elastic>,
 }
 
@@ -173,34 +168,24 @@ pub struct Friction {
     /// The law.
     pub law: FrictionLaw,
     /// (Kinetic) coefficient μ [–].
-    #[serde(default)]
     pub coefficient: Option<f64>,
     /// Static coefficient μ_s [–], of `stribeck` and `lugre`.
-    #[serde(default)]
     pub static_coefficient: Option<f64>,
     /// Velocity up to which the force grows from zero [m/s], of `coulomb`, `threlfall` and `stribeck`.
-    #[serde(default)]
     pub threshold_velocity: Option<f64>,
     /// Velocity v₀ of `ambrosio` [m/s].
-    #[serde(default)]
     pub lower_velocity: Option<f64>,
     /// Velocity v₁ of `ambrosio` [m/s].
-    #[serde(default)]
     pub upper_velocity: Option<f64>,
     /// Velocity v_s of `stribeck` and `lugre` [m/s].
-    #[serde(default)]
     pub stribeck_velocity: Option<f64>,
     /// Exponent of `stribeck` and `lugre` [–], default 2.
-    #[serde(default)]
     pub stribeck_exponent: Option<f64>,
     /// Viscous part of `stribeck` and `lugre`, σ₂ [s/m] (of the normal force), a plain SI number.
-    #[serde(default)]
     pub viscous: Option<f64>,
     /// Stiffness of the bristles of `lugre`, σ₀ [1/m] (of the normal force), a plain SI number.
-    #[serde(default)]
     pub bristle_stiffness: Option<f64>,
     /// Damping of the bristles of `lugre`, σ₁ [s/m] (of the normal force), a plain SI number.
-    #[serde(default)]
     pub bristle_damping: Option<f64>,
 }
 
@@ -218,13 +203,10 @@ pub struct Surface {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
 pub struct Impact {
     /// Coefficient of restitution [–], 0 to 1.
-    #[serde(default)]
     pub restitution: Option<f64>,
     /// Coefficient of friction [–].
-    #[serde(default)]
     pub friction: Option<f64>,
     /// What the coefficient of restitution compares, default `energetic`.
-    #[serde(default)]
     pub sense: Option<ImpactSense>,
 }
 

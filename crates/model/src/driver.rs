@@ -14,7 +14,6 @@ pub struct Driver {
     /// The law of time that the coordinate follows.
     pub motion: Motion,
     /// How far the coordinate may be from what the motion says, to either side \[rad or m\].
-    #[serde(default)]
     #[doc(hidden)]
     pub tolerance: Option<f64>,
 }
@@ -28,7 +27,6 @@ pub enum DriverKind {
         /// The driven body.
         body: String,
         /// The body from which the angle counts.
-        #[serde(default)]
         relative_to: Option<String>,
     },
     /// Slide of a prismatic joint or a slot, along its axis, first point to second.

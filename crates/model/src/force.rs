@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::dimension::Dimension;
 use super::formula::Formula;
 use super::joint::PointRef;
 use super::motion::Motion;
@@ -53,16 +54,12 @@ pub struct Force {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Stroke {
     /// Least and greatest length \[m\]; none where the stroke has no end.
-    #[serde(default)]
     pub limits: Option<[Option<f64>; 2]>,
     /// Coefficient of restitution of rigid stops, 0 to 1 [–]; left out: 0.
-    #[serde(default)]
     pub restitution: Option<f64>,
     /// Stiffness of stops that yield [N/m]; left out: they are rigid.
-    #[serde(default)]
     pub stop_stiffness: Option<f64>,
     /// Damping of the same [N·s/m]; left out: none.
-    #[serde(default)]
     pub stop_damping: Option<f64>,
 }
 
@@ -137,12 +134,30 @@ pub enum ForceKind {
         /// [N·m]
         value: Value,
         /// The body that takes the opposite.
-        #[serde(default)]
         relative_to: Option<String>,
     },
 }
 
 impl ForceKind {
+    /// Its values that may vary, each with its key in a file and the dimension of a formula there; none where there can be none.
+    pub(crate) fn values(&self) -> Vec<(String, &Value, Option<Dimension>)> {
+        let one = |key: &str, value, of| vec![(key.to_owned(), value, of)];
+        match self {
+            ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
+                one("free_length", free_length, None)
+            }
+            ForceKind::TorsionSpring { free_angle, .. } => one("free_angle", free_angle, None),
+            ForceKind::Load { vector, .. } => {
+                let parts = vector.iter().enumerate();
+                let key = |index| format!("vector[{index}]");
+                let parts = parts.map(|(index, part)| (key(index), part, Some(Dimension::Force)));
+                parts.collect()
+            }
+            ForceKind::Torque { value, .. } => one("value", value, Some(Dimension::Torque)),
+            ForceKind::Actuator { force, .. } => one("force", force, Some(Dimension::Force)),
+        }
+    }
+
     /// The points that it acts along the line of; none of what has no length.
     #[doc(hidden)]
     pub fn ends(&self) -> Option<&[PointRef; 2]> {

@@ -23,7 +23,6 @@ pub struct Formula {
     #[serde(default)]
     pub parameters: IndexMap<String, Constant>,
     /// Through which its value goes.
-    #[serde(default)]
     pub table: Option<Table>,
 }
 
@@ -100,17 +99,14 @@ impl Formula {
             .map(|(name, constant)| (name.as_str(), constant.quantity()))
             .collect();
         let arguments = Arguments::of(catalogue);
-        let said = |Misfit { fault, .. }| Complaint {
-            hint: fault.hint,
-            ..Complaint::new("", fault.message)
-        };
+        let said = |misfit: Misfit| misfit.fault.at("");
         let mut moving =
             Moving::read(&self.formula, &parameters, &arguments, false).map_err(said)?;
         if let Some(table) = &self.table {
             // behind those that have names
             let number = catalogue.tables().len();
             let through = moving.through(number, table.columns()?);
-            moving = through.map_err(|fault| said(Misfit { at: 0, fault }))?;
+            moving = through.map_err(|fault| fault.at(""))?;
         }
         Ok(CompiledFormula {
             moving,

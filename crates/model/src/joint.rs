@@ -65,34 +65,24 @@ pub struct Joint {
 pub struct Stops {
     /// Least and greatest angle θ₂ − θ₁ \[rad\] of a revolute joint, or slide \[m\] along the axis of the others; none where the
     /// way has no end.
-    #[serde(default)]
     pub limits: Option<[Option<f64>; 2]>,
     /// Coefficient of restitution of rigid stops, 0 to 1 [–]; left out: 0.
-    #[serde(default)]
     pub restitution: Option<f64>,
     /// What it compares; left out: velocities, as files have always meant it.
-    #[serde(default)]
     pub sense: Option<ImpactSense>,
     /// Stiffness of stops that yield [N·m/rad or N/m], and of each strand of a belt [N/m]; left out: they are rigid.
-    #[serde(default)]
     pub stiffness: Option<f64>,
     /// Damping of the same [N·m·s/rad or N·s/m]; left out: none.
-    #[serde(default)]
     pub damping: Option<f64>,
     /// The ends at which the joint latches.
-    #[serde(default)]
     pub latch: Option<Latch>,
     /// Pull [N·m or N] above which a latch opens; left out: none does.
-    #[serde(default)]
     pub release: Option<f64>,
     /// When the joint holds at all; left out: always.
-    #[serde(default)]
     pub active: Option<Box<Timed>>,
     /// When it does not move, of revolute, prismatic and slot joints; left out: never.
-    #[serde(default)]
     pub lock: Option<Box<Timed>>,
     /// The way in which a revolute joint turns alone; left out: both.
-    #[serde(default)]
     pub one_way: Option<OneWay>,
 }
 
@@ -100,13 +90,10 @@ pub struct Stops {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Timed {
     /// Where it closes; left out: it holds at the start.
-    #[serde(default)]
     pub from: Option<Event>,
     /// Where it opens; left out: no event opens it.
-    #[serde(default)]
     pub until: Option<Event>,
     /// Force \[N\], of the lock of an angle torque [N·m], above which it opens; left out: none does.
-    #[serde(default)]
     pub release: Option<f64>,
 }
 
@@ -150,6 +137,18 @@ impl Latch {
     }
 }
 
+impl JointKind {
+    /// Whether it slides along an axis.
+    pub(crate) fn slides(&self) -> bool {
+        matches!(self, JointKind::Prismatic { .. } | JointKind::Slot { .. })
+    }
+
+    /// Whether its bodies turn against each other about its points.
+    pub(crate) fn turns(&self) -> bool {
+        matches!(self, JointKind::Revolute { .. } | JointKind::Slot { .. })
+    }
+}
+
 /// What the joint lets move.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
@@ -157,13 +156,10 @@ pub enum JointKind {
     /// The points coincide; with `clearance` the first body holds the bearing, the second the journal.
     Revolute {
         /// What is between pin and hole; left out: none.
-        #[serde(default)]
         clearance: Option<Box<Clearance>>,
         /// Friction of the ideal joint, from its own reaction; that of a clearance stands in the clearance. Left out: none.
-        #[serde(default)]
         friction: Option<Box<Friction>>,
         /// Radius of the pin \[m\] on which `friction` acts, and which it needs.
-        #[serde(default)]
         pin_radius: Option<f64>,
     },
     /// The second point stays on the line through the first along `axis` (first body's frame, any length but zero); relative angle fixed \[rad\].
@@ -174,13 +170,10 @@ pub enum JointKind {
         #[serde(default)]
         angle: f64,
         /// Friction along the axis, from the joint's own reaction; left out: none.
-        #[serde(default)]
         friction: Option<Box<Friction>>,
         /// Length of the slider on its guide \[m\], centred at the second point: with it the joint's torque presses, too.
-        #[serde(default)]
         guide_length: Option<f64>,
         /// How far the guided point may be off its line, to either side; left out: not at all.
-        #[serde(default)]
         play: Option<Play>,
     },
     /// The second point stays on the line through the first along `axis` (first body's frame, any length but zero); the bodies may turn against each other.
@@ -188,7 +181,6 @@ pub enum JointKind {
         /// A direction fixed in the first body; its length does not matter.
         axis: [f64; 2],
         /// How far the guided point may be off its line, to either side; left out: not at all.
-        #[serde(default)]
         play: Option<Play>,
     },
     /// Two wheels, each held at its point by a revolute joint to a common carrier, mesh: θ₂ − θ_c = ratio·(θ₁ − θ_c) + angle.
@@ -196,13 +188,10 @@ pub enum JointKind {
         /// Turns of the second wheel per turn of the first, seen from the carrier: −z₁/z₂ for an external mesh, z₁/z₂ for an internal one.
         ratio: f64,
         /// The body on which both wheels turn; left out: found from the joints.
-        #[serde(default)]
         carrier: Option<String>,
         /// θ₂ − θ_c − ratio·(θ₁ − θ_c) \[rad\]; left out: as drawn, that of the angles in `pose`.
-        #[serde(default)]
         angle: Option<f64>,
         /// Arc at the pitch circle \[m\] by which a wheel may turn while the other is held, from flank to flank.
-        #[serde(default)]
         backlash: Option<f64>,
     },
     /// The profile of the first body, about its point, moves the follower of the second and holds it from both sides.
@@ -215,7 +204,6 @@ pub enum JointKind {
         /// Radius of the wheel's pitch circle \[m\]; negative where the line lies to the left of the centre, looking along the axis.
         radius: f64,
         /// a·(C − R) + radius·(θ₁ − θ₂) \[m\]; left out: as drawn, that of the poses.
-        #[serde(default)]
         offset: Option<f64>,
     },
     /// Two pulleys with a belt around them, each held at its point by other joints.
@@ -227,10 +215,8 @@ pub enum JointKind {
         #[serde(default)]
         strands: Strands,
         /// Tension of both strands of a belt that drives nothing \[N\]; left out: none is known.
-        #[serde(default)]
         pretension: Option<f64>,
         /// The body in which the line of centres turns little; left out: the one that holds both pulleys.
-        #[serde(default)]
         carrier: Option<String>,
     },
     /// The points stay near each other: a pin in rubber, which is no constraint.
@@ -249,16 +235,13 @@ pub enum JointKind {
         /// which turns left where it is positive; the material is on the left.
         outline: Vec<Vec<f64>>,
         /// How often the outline is repeated around the first point, evenly in a turn; left out: it stands once.
-        #[serde(default)]
         repeat: Option<usize>,
         /// Radius of the tip \[m\], 0 of a point.
         #[serde(default)]
         radius: f64,
         /// Directions in the second body between which the tip is round, turning left \[rad\]; left out: it is a full circle.
-        #[serde(default)]
         arc: Option<[f64; 2]>,
         /// Friction between both; left out: none.
-        #[serde(default)]
         friction: Option<Box<Friction>>,
     },
 }

@@ -127,66 +127,50 @@ pub const FORMAT: &str = "linkdyn/1";
 const NAME_PATTERN: &str = r"^[^.\[\],=*?\u0000-\u001f\u007f-\u009f]+$";
 
 /// A whole model: order of the maps is the order in the file. All numbers are SI (m, kg, s, rad, N …).
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[serde(default)]
 pub struct Model {
     /// What it is called.
-    #[serde(default)]
     pub name: Option<String>,
     /// What this is, and for whom.
-    #[serde(default)]
     pub about: Option<String>,
     /// Who measured or published it.
-    #[serde(default)]
     pub source: Option<String>,
     /// Acceleration of gravity [m/s²], zero where left out.
-    #[serde(default)]
     pub gravity: [f64; 2],
     /// All bodies, `ground` among them where the file has it.
     pub bodies: IndexMap<String, Body>,
     /// Joints by their names.
-    #[serde(default)]
     pub joints: IndexMap<String, Joint>,
     /// Prescribed motions by their names.
-    #[serde(default)]
     pub drivers: IndexMap<String, Driver>,
     /// Springs, loads and torques by their names.
-    #[serde(default)]
     pub forces: IndexMap<String, Force>,
     /// Functions by their points, for formulas.
-    #[serde(default)]
     #[doc(hidden)]
     pub tables: IndexMap<String, Table>,
     /// Quantities of which the rates are known.
-    #[serde(default)]
     #[doc(hidden)]
     pub states: IndexMap<String, State>,
     /// Exact values at t = 0, per body.
-    #[serde(default)]
     pub initial: IndexMap<String, Initial>,
     /// Body points whose motion is wanted among the results.
-    #[serde(default)]
     pub points: Vec<PointRef>,
     /// What is to be computed.
-    #[serde(default)]
     pub analysis: Option<Analysis>,
     /// What is asked of its accuracy.
-    #[serde(default)]
     #[doc(hidden)]
     pub accuracy: Option<Accuracy>,
     /// Ratios of velocities, as columns.
-    #[serde(default)]
     #[doc(hidden)]
     pub outputs: IndexMap<String, String>,
     /// Named numbers of a run.
-    #[serde(default)]
     #[doc(hidden)]
     pub responses: IndexMap<String, Response>,
     /// Many variants.
-    #[serde(default)]
     #[doc(hidden)]
     pub study: Option<Study>,
     /// What an optimisation looks for.
-    #[serde(default)]
     #[doc(hidden)]
     pub optimise: Option<Optimise>,
     /// How messages speak of it: the units that the file names.

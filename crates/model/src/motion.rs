@@ -79,7 +79,6 @@ pub enum Motion {
         /// Rises and dwells in their order.
         segments: Vec<Segment>,
         /// How often all of them are gone through; once where nothing is said.
-        #[serde(default)]
         repeat: Option<usize>,
     },
 }
@@ -126,18 +125,15 @@ pub enum RiseLaw {
 /// A rise between two dwells: from `start` by `rise`, or to `end`.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
+#[serde(default)]
 pub struct Rise {
     /// Value before.
-    #[serde(default)]
     pub start: f64,
     /// How far it goes.
-    #[serde(default)]
     pub rise: Option<f64>,
     /// Value after, instead.
-    #[serde(default)]
     pub end: Option<f64>,
     /// When it begins \[s\].
-    #[serde(default)]
     pub begin: f64,
     /// How long it takes \[s\].
     pub duration: f64,
@@ -146,36 +142,27 @@ pub struct Rise {
 /// A rise of which is said how long it takes, or what it may reach.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
+#[serde(default)]
 pub struct Paced {
     /// Value before.
-    #[serde(default)]
     pub start: f64,
     /// How far it goes.
-    #[serde(default)]
     pub rise: Option<f64>,
     /// Value after, instead.
-    #[serde(default)]
     pub end: Option<f64>,
     /// When it begins \[s\].
-    #[serde(default)]
     pub begin: f64,
     /// How long it takes \[s\].
-    #[serde(default)]
     pub duration: Option<f64>,
     /// Share of it in which it speeds up, and of that in which it slows down; a third.
-    #[serde(default)]
     pub ramp: Option<f64>,
     /// Share of a ramp in which the acceleration changes, of an s-curve; a half.
-    #[serde(default)]
     pub rounding: Option<f64>,
     /// The greatest speed, instead of a duration.
-    #[serde(default)]
     pub velocity: Option<f64>,
     /// The greatest acceleration.
-    #[serde(default)]
     pub acceleration: Option<f64>,
     /// The greatest jerk, of an s-curve.
-    #[serde(default)]
     pub jerk: Option<f64>,
 }
 
@@ -184,25 +171,18 @@ pub struct Paced {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
 pub struct Segment {
     /// How it rises.
-    #[serde(default)]
     pub law: Option<RiseLaw>,
     /// How far it goes.
-    #[serde(default)]
     pub rise: Option<f64>,
     /// Value after, instead.
-    #[serde(default)]
     pub end: Option<f64>,
     /// How long it takes \[s\].
-    #[serde(default)]
     pub duration: Option<f64>,
     /// As of [`Paced`].
-    #[serde(default)]
     pub ramp: Option<f64>,
     /// As of [`Paced`].
-    #[serde(default)]
     pub rounding: Option<f64>,
     /// How long it stays where it is \[s\].
-    #[serde(default)]
     pub dwell: Option<f64>,
 }
 

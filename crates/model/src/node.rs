@@ -38,6 +38,12 @@ pub struct Member {
 }
 
 impl Node {
+    /// One that stands in no file.
+    pub fn of(kind: Kind) -> Node {
+        let origin = Origin::Text(0, 0);
+        Node { kind, origin }
+    }
+
     /// What kind of thing it is, in words.
     pub fn kind_name(&self) -> &'static str {
         match &self.kind {
@@ -54,7 +60,15 @@ impl Node {
     pub fn get(&self, key: &str) -> Option<&Node> {
         match &self.kind {
             Kind::Object(members) => members.get(key).map(|member| &member.node),
-            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_) => None,
+            _ => None,
+        }
+    }
+
+    /// An entry of a list, where this is one that has it.
+    pub fn entry(&self, index: usize) -> Option<&Node> {
+        match &self.kind {
+            Kind::Array(items) => items.get(index),
+            _ => None,
         }
     }
 
@@ -62,7 +76,7 @@ impl Node {
     pub fn as_str(&self) -> Option<&str> {
         match &self.kind {
             Kind::String(text) => Some(text),
-            Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::Array(_) | Kind::Object(_) => None,
+            _ => None,
         }
     }
 
@@ -110,6 +124,15 @@ impl Node {
         }
         self
     }
+}
+
+/// The members of an object; none of what is no object.
+pub fn members(node: Option<&Node>) -> impl Iterator<Item = (&String, &Member)> {
+    let members = match node.map(|node| &node.kind) {
+        Some(Kind::Object(members)) => Some(members.iter()),
+        _ => None,
+    };
+    members.into_iter().flatten()
 }
 
 /// Path of a key in the object at `path`.

@@ -7,27 +7,21 @@ use crate::PointRef;
 
 /// What is asked of an optimisation.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[serde(default)]
 pub struct Optimise {
     /// Parameters that may change.
-    #[serde(default)]
     pub design: IndexMap<String, Range>,
     /// What is to be least or greatest.
-    #[serde(default)]
     pub objective: Option<Objective>,
     /// What must hold.
-    #[serde(default)]
     pub constraints: Vec<Constraint>,
     /// The path that a point should take.
-    #[serde(default)]
     pub curve: Option<Curve>,
     /// The objective gets so many standard deviations worse, by the tolerances of parameters.
-    #[serde(default)]
     pub robust: Option<f64>,
     /// How many starts there are.
-    #[serde(default)]
     pub starts: Option<u64>,
     /// Seed of the points from which they start.
-    #[serde(default)]
     pub seed: Option<u64>,
 }
 
@@ -53,10 +47,8 @@ pub enum Free {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 pub struct Objective {
     /// What is to be least.
-    #[serde(default)]
     pub minimise: Option<Sought>,
     /// What is to be greatest.
-    #[serde(default)]
     pub maximise: Option<Sought>,
 }
 
@@ -102,10 +94,8 @@ pub struct Curve {
     /// Points that its path should pass \[m\].
     pub through: Vec<[f64; 2]>,
     /// Name of the driver; may be left out where there is only one.
-    #[serde(default)]
     pub driver: Option<String>,
     /// Values of the driver at these points \[rad or m\]; none where it does not matter when.
-    #[serde(default)]
     pub at: Option<Vec<f64>>,
 }
 

@@ -15,7 +15,7 @@ use serde_json::{Map, Value, json};
 use super::{DriverKind, FORMAT, Model};
 use crate::dimension::Dimension;
 use crate::expression::Parameters;
-use crate::node::{Kind, Member, Node, Origin};
+use crate::node::{Kind, Node, members};
 use crate::response::Catalogue;
 use crate::shape::{Default, Drives, Field, Measure, Need, Object, Shape, Tagged};
 use crate::source::Source;
@@ -85,24 +85,6 @@ fn print(source: &Source, model: &Model) -> Value {
     file.extend(model);
     optimise::named(&mut file);
     Value::Object(file)
-}
-
-/// The members of an object, none where it is not one.
-fn members(node: Option<&Node>) -> Option<&IndexMap<String, Member>> {
-    match node.map(|node| &node.kind) {
-        Some(Kind::Object(members)) => Some(members),
-        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_))
-        | None => None,
-    }
-}
-
-/// An entry of a list.
-fn entry(node: Option<&Node>, index: usize) -> Option<&Node> {
-    match node.map(|node| &node.kind) {
-        Some(Kind::Array(items)) => items.get(index),
-        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Object(_))
-        | None => None,
-    }
 }
 
 /// A value as it is.
@@ -221,7 +203,7 @@ impl Printer<'_> {
             (Shape::Table, Tree::List(points)) => {
                 let points = points.iter().enumerate().map(|(index, point)| match point {
                     Tree::List(pair) => {
-                        let written = entry(written, index);
+                        let written = written.and_then(|list| list.entry(index));
                         self.list(pair, |column| COLUMNS[column % 2], written, driven)
                     }
                     other => plain(other),
@@ -268,10 +250,7 @@ impl Printer<'_> {
         let text = format!("{number:?} {}", wanted.si);
         let product = format!("={number:?} {}", wanted.si.replace("/s^", "/(1 s)^"));
         for text in [text, product] {
-            let node = Node {
-                kind: Kind::String(text),
-                origin: Origin::Text(0, 0),
-            };
+            let node = Node::of(Kind::String(text));
             if self.says(&node, shape, driven, &Tree::Number(number)) {
                 return node.to_value();
             }
@@ -317,14 +296,13 @@ impl Printer<'_> {
             }
         };
         let law = tree.get("law").and_then(Tree::text);
-        let written = members(written);
-        let is_written = |key: &str| written.is_some_and(|members| members.contains_key(key));
+        let is_written = |key: &str| written.is_some_and(|node| node.get(key).is_some());
         let mut out = Map::new();
         out.extend(
             kind.filter(|_| !is_written("type"))
                 .map(|kind| ("type".to_owned(), kind.into())),
         );
-        for (key, member) in written.into_iter().flatten() {
+        for (key, member) in members(written) {
             let value = match (object.field(key), kind) {
                 (Some(field), _) => match (field.shape, tree.get(key)) {
                     // They are of the file alone.
@@ -370,17 +348,15 @@ impl Printer<'_> {
         written: Option<&Node>,
         driven: Driven,
     ) -> Value {
-        let written = members(written);
-        let remark = written.and_then(|members| {
-            let (index, _, remark) = members.get_full(NOTE)?;
-            remark.node.as_str()?;
-            Some((index, remark.node.to_value()))
+        let remark = members(written).position(|(key, member)| {
+            // a thing of this name is no text
+            key == NOTE && member.node.as_str().is_some()
         });
+        let remark = remark.zip(written.and_then(|node| node.get(NOTE)).map(Node::to_value));
         let mut entries: Vec<(String, Value)> = Vec::with_capacity(things.len() + 1);
         for (name, thing) in things {
             let is_remark = name == NOTE && remark.is_some();
-            let known = written.and_then(|members| members.get(name));
-            let known = known.map(|member| &member.node).filter(|_| !is_remark);
+            let known = written.and_then(|node| node.get(name)).filter(|_| !is_remark);
             entries.push((name.clone(), self.value(thing, &of(name), known, driven)));
         }
         // A thing may be called like the remark, which then gives way.
@@ -400,7 +376,7 @@ impl Printer<'_> {
         let values = items.iter().enumerate().map(|(index, item)| {
             let shape = of(index);
             let driven = entry_driven(&shape, driven, index);
-            self.value(item, &shape, entry(written, index), driven)
+            self.value(item, &shape, written.and_then(|list| list.entry(index)), driven)
         });
         values.collect()
     }

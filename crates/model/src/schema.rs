@@ -226,10 +226,10 @@ fn measure_name(measure: Measure) -> &'static str {
     match measure {
         Measure::Of(dimension) => dimension.name(),
         Measure::LinearStiffness => "linear stiffness",
-        Measure::Driven => "driven",
-        Measure::DrivenVelocity => "driven velocity",
-        Measure::DrivenAcceleration => "driven acceleration",
-        Measure::DrivenJerk => "driven jerk",
+        Measure::Driven(0) => "driven",
+        Measure::Driven(1) => "driven velocity",
+        Measure::Driven(2) => "driven acceleration",
+        Measure::Driven(_) => "driven jerk",
         Measure::DrivenCoefficient => "driven coefficient",
     }
 }
@@ -322,7 +322,7 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
         Shape::Table => {
             let time = quantity(Measure::Of(Dimension::Time));
             places::points(
-                &json!({ "prefixItems": [time, quantity(Measure::Driven)], "items": false }),
+                &json!({ "prefixItems": [time, quantity(Measure::Driven(0))], "items": false }),
             )
         }
         Shape::Entries => places::points(&json!({ "items": places::value() })),

@@ -56,10 +56,9 @@ const KINDS: [(&str, &str, &[&str]); 4] = [
 
 /// The names in each of these maps.
 fn names(root: &Node) -> [Vec<String>; KINDS.len()] {
-    KINDS.map(|(map, ..)| match root.get(map).map(|node| &node.kind) {
-        Some(Kind::Object(members)) => members.keys().cloned().collect(),
-        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_))
-        | None => Vec::new(),
+    KINDS.map(|(map, ..)| {
+        let names = node::members(root.get(map)).map(|(name, _)| name.clone());
+        names.collect()
     })
 }
 

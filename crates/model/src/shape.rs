@@ -55,14 +55,8 @@ pub enum Measure {
     Of(Dimension),
     /// The stiffness of a linear contact, whose plain numbers are in SI whatever `units` names for springs.
     LinearStiffness,
-    /// What the motion around it drives.
-    Driven,
-    /// Its rate.
-    DrivenVelocity,
-    /// The rate of its rate.
-    DrivenAcceleration,
-    /// The rate of that.
-    DrivenJerk,
+    /// What the motion around it drives, or its derivative of this order by time.
+    Driven(usize),
     /// Its derivative of the order of the place in the list.
     DrivenCoefficient,
 }

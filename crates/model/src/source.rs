@@ -21,15 +21,11 @@ impl Source {
         let lines = std::iter::once(0)
             .chain(text.match_indices('\n').map(|(at, _)| at + 1))
             .collect();
-        let root = Node {
-            kind: Kind::Null,
-            origin: Origin::Text(0, 0),
-        };
         Source {
             text: text.to_owned(),
             lines,
             sets: sets.to_vec(),
-            root,
+            root: Node::of(Kind::Null),
         }
     }
 

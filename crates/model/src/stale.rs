@@ -1,6 +1,6 @@
 //! What a `--set` of a point leaves behind: a body of another length with the mass of the old one.
 
-use super::node::{Kind, Member, Node, Origin, excerpt};
+use super::node::{Kind, Node, Origin, excerpt, members};
 use super::{GROUND, suggest};
 use crate::error::Complaint;
 
@@ -42,26 +42,12 @@ pub(super) fn stale(root: &Node, sets: &[String]) -> Vec<Complaint> {
     found
 }
 
-/// The members of an object, none where it is not one.
-fn members(node: Option<&Node>) -> impl Iterator<Item = (&String, &Member)> {
-    let members = match node.map(|node| &node.kind) {
-        Some(Kind::Object(members)) => Some(members.iter()),
-        Some(Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Array(_))
-        | None => None,
-    };
-    members.into_iter().flatten()
-}
-
 /// Whether a joint connects this point.
 fn is_joined(root: &Node, point: &str) -> bool {
     members(root.get("joints")).any(|(_, joint)| {
-        match joint.node.get("between").map(|ends| &ends.kind) {
-            Some(Kind::Array(ends)) => ends.iter().any(|end| end.as_str() == Some(point)),
-            Some(
-                Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) | Kind::Object(_),
-            )
-            | None => false,
-        }
+        let ends = joint.node.get("between");
+        let end = |index| ends.and_then(|ends| ends.entry(index)?.as_str());
+        [end(0), end(1)].contains(&Some(point))
     })
 }
 

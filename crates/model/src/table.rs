@@ -6,24 +6,22 @@ use serde::{Deserialize, Serialize};
 use crate::dimension::Powers;
 use crate::error::Complaint;
 use crate::motion::Interpolation;
-use crate::units::{Unit, UnitFault};
+use crate::units::Unit;
 
 /// Points that a table has at most.
 pub const MOST_POINTS: usize = 100_000;
 
 /// A function by its points, in SI.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[serde(default)]
 pub struct Table {
     /// [[place, value], …]
     pub points: Vec<[f64; 2]>,
     /// SI units of both columns; empty of plain numbers.
-    #[serde(default)]
     pub units: [String; 2],
     /// What is between the points.
-    #[serde(default)]
     pub interpolation: Interpolation,
     /// After which it repeats, in the unit of the places.
-    #[serde(default)]
     pub period: Option<f64>,
 }
 
@@ -73,17 +71,8 @@ pub(crate) fn unit(text: &str) -> Result<Unit, Complaint> {
     if matches!(text.trim(), "" | "1" | "-" | "–") {
         return Ok(Unit::si(Powers::default()));
     }
-    Unit::parse(text.trim()).map_err(|fault| match fault {
-        UnitFault::Unknown { symbol, nearest } => {
-            let said = Complaint::new("", format!("unknown unit {symbol:?}"));
-            match nearest {
-                Some(near) => said.hint(format!("did you mean {near:?}?")),
-                None => said,
-            }
-        }
-        UnitFault::Missing | UnitFault::Malformed => {
-            Complaint::new("", format!("{text:?} cannot be read as a unit"))
-        }
-        UnitFault::TooLarge => Complaint::new("", format!("{text:?} is too much of a unit")),
+    Unit::parse(text.trim()).map_err(|fault| Complaint {
+        hint: fault.hint(),
+        ..Complaint::new("", fault.message(text))
     })
 }

@@ -326,10 +326,10 @@ fn beside(row: &'static str, object: &mut Object) -> Option<()> {
 fn measure(name: &str) -> Option<Measure> {
     Some(match name {
         "linear_stiffness" => Measure::LinearStiffness,
-        "driven" => Measure::Driven,
-        "driven_velocity" => Measure::DrivenVelocity,
-        "driven_acceleration" => Measure::DrivenAcceleration,
-        "driven_jerk" => Measure::DrivenJerk,
+        "driven" => Measure::Driven(0),
+        "driven_velocity" => Measure::Driven(1),
+        "driven_acceleration" => Measure::Driven(2),
+        "driven_jerk" => Measure::Driven(3),
         "driven_coefficient" => Measure::DrivenCoefficient,
         name => Measure::Of(Dimension::from_name(name)?),
     })

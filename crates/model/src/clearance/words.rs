@@ -1,30 +1,20 @@
 //! A clearance as a file has it: a radius, a range of it, or a fit.
 
-use serde::ser::{Serialize, SerializeStruct, Serializer};
-
 use super::{Clearance, ClearanceModel, Friction, Impact, Normal, Surface};
 use crate::fit::Fit;
 use crate::tolerance::Limits;
 
 /// A clearance as a file has it.
-#[derive(serde::Deserialize)]
+#[derive(serde::Deserialize, serde::Serialize)]
 pub struct ClearanceWords {
     model: ClearanceModel,
-    #[serde(default)]
     radius: Option<Limits>,
-    #[serde(default)]
     fit: Option<String>,
-    #[serde(default)]
     bearing_radius: Option<f64>,
-    #[serde(default)]
     axial_length: Option<f64>,
-    #[serde(default)]
     normal: Option<Normal>,
-    #[serde(default)]
     friction: Option<Friction>,
-    #[serde(default)]
     surface: Option<Surface>,
-    #[serde(default)]
     impact: Option<Impact>,
 }
 
@@ -73,19 +63,19 @@ impl Clearance {
     }
 }
 
-impl Serialize for Clearance {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (radius, fit) = self.radius_words();
-        let mut clearance = serializer.serialize_struct("Clearance", 9)?;
-        clearance.serialize_field("model", &self.model)?;
-        clearance.serialize_field("radius", &radius)?;
-        clearance.serialize_field("fit", &fit)?;
-        clearance.serialize_field("bearing_radius", &self.bearing_radius)?;
-        clearance.serialize_field("axial_length", &self.axial_length)?;
-        clearance.serialize_field("normal", &self.normal)?;
-        clearance.serialize_field("friction", &self.friction)?;
-        clearance.serialize_field("surface", &self.surface)?;
-        clearance.serialize_field("impact", &self.impact)?;
-        clearance.end()
+impl From<Clearance> for ClearanceWords {
+    fn from(clearance: Clearance) -> Self {
+        let (radius, fit) = clearance.radius_words();
+        ClearanceWords {
+            fit: fit.map(str::to_owned),
+            radius,
+            model: clearance.model,
+            bearing_radius: clearance.bearing_radius,
+            axial_length: clearance.axial_length,
+            normal: clearance.normal,
+            friction: clearance.friction,
+            surface: clearance.surface,
+            impact: clearance.impact,
+        }
     }
 }

@@ -174,10 +174,7 @@ impl Parameters {
 
     fn read_one<'a>(&self, node: &'a Node, index: usize, faults: &mut Vec<Found<'a>>) -> Written {
         let mut add = |at: Option<usize>, fault: Fault| {
-            let complaint = Complaint {
-                hint: fault.hint,
-                ..Complaint::new(self.path(index), fault.message)
-            };
+            let complaint = fault.at(self.path(index));
             faults.push(Found {
                 node,
                 at,
@@ -237,10 +234,7 @@ impl Parameters {
                 Written::Expression(expression) => {
                     let value = expression.evaluate(&self.values, self.degrees);
                     value.unwrap_or_else(|Misfit { at, fault }| {
-                        let complaint = Complaint {
-                            hint: fault.hint,
-                            ..Complaint::new(self.path(index), fault.message)
-                        };
+                        let complaint = fault.at(self.path(index));
                         faults.push(Found {
                             node: nodes[index],
                             at: Some(at),

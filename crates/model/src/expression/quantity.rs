@@ -4,6 +4,7 @@
 //! as a dimension, so that Hz is not rad/s; where lengths or masses are about, one radian too many is dropped, as in r·ω.
 
 use super::super::dimension::Powers;
+use super::super::error::Complaint;
 use super::function::Function;
 use super::number::{Binary, Number, Unary};
 
@@ -54,6 +55,14 @@ impl Fault {
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
         self
+    }
+
+    /// What is told of it at a path.
+    pub fn at(self, path: impl Into<String>) -> Complaint {
+        Complaint {
+            hint: self.hint,
+            ..Complaint::new(path, self.message)
+        }
     }
 }
 

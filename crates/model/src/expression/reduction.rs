@@ -56,39 +56,29 @@ impl Reduction {
 
     /// How it is written.
     pub const fn word(self) -> &'static str {
-        match self {
-            Reduction::Max => "max",
-            Reduction::Min => "min",
-            Reduction::Mean => "mean",
-            Reduction::Rms => "rms",
-            Reduction::Range => "range",
-            Reduction::Integral => "integral",
-            Reduction::First => "first",
-            Reduction::Last => "last",
-            Reduction::At => "at",
-            Reduction::ArgMax => "argmax",
-            Reduction::ArgMin => "argmin",
-            Reduction::Count => "count",
-            Reduction::Sum => "sum",
-        }
+        self.row().0
     }
 
     /// Whether it can be taken of contacts and events.
     pub(super) fn is_of_lists(self) -> bool {
+        self.row().1
+    }
+
+    const fn row(self) -> (&'static str, bool) {
         match self {
-            Reduction::Max
-            | Reduction::Min
-            | Reduction::Mean
-            | Reduction::Range
-            | Reduction::First
-            | Reduction::Last
-            | Reduction::Count
-            | Reduction::Sum => true,
-            Reduction::Rms
-            | Reduction::Integral
-            | Reduction::At
-            | Reduction::ArgMax
-            | Reduction::ArgMin => false,
+            Reduction::Max => ("max", true),
+            Reduction::Min => ("min", true),
+            Reduction::Mean => ("mean", true),
+            Reduction::Rms => ("rms", false),
+            Reduction::Range => ("range", true),
+            Reduction::Integral => ("integral", false),
+            Reduction::First => ("first", true),
+            Reduction::Last => ("last", true),
+            Reduction::At => ("at", false),
+            Reduction::ArgMax => ("argmax", false),
+            Reduction::ArgMin => ("argmin", false),
+            Reduction::Count => ("count", true),
+            Reduction::Sum => ("sum", true),
         }
     }
 

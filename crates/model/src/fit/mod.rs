@@ -196,20 +196,20 @@ fn limits(sizes: Sizes, nominal: f64, class: &Class, is_hole: bool) -> Result<[f
     let deviation = known.ok_or_else(unknown)?.1;
     let [lower, upper] = match deviation {
         Deviation::Middle => [-width / 2.0, width / 2.0],
-        Deviation::Below(_) if nominal <= SMALL && matches!(name.as_str(), "a" | "b") => {
+        Deviation::Below if nominal <= SMALL && matches!(name.as_str(), "a" | "b") => {
             let message = format!("{text:?} is not to be used up to {SMALL} mm");
             return Err(refused(&message, "take a letter from c on"));
         }
-        Deviation::Below(column) => {
-            let gap = sizes.column(column);
+        Deviation::Below => {
+            let gap = sizes.distance(&name);
             if is_hole {
                 [gap, gap + width]
             } else {
                 [-gap - width, -gap]
             }
         }
-        Deviation::Above(column) if is_hole => {
-            let upper = tight_hole(sizes, &name, sizes.column(column), grade);
+        Deviation::Above if is_hole => {
+            let upper = tight_hole(sizes, &name, sizes.distance(&name), grade);
             let upper = upper.ok_or_else(|| {
                 refused(
                     &format!("there is no {text:?} at {nominal} mm"),
@@ -218,12 +218,12 @@ fn limits(sizes: Sizes, nominal: f64, class: &Class, is_hole: bool) -> Result<[f
             })?;
             [upper - width, upper]
         }
-        Deviation::Above(column) => {
+        Deviation::Above => {
             // k has its deviation in fine grades alone
             let lower = if name == "k" && !(4..=7).contains(&grade) {
                 0.0
             } else {
-                sizes.column(column)
+                sizes.distance(&name)
             };
             [lower, lower + width]
         }

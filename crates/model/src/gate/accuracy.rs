@@ -5,7 +5,7 @@ use super::names::Names;
 use crate::accuracy::Column;
 use crate::error::Complaint;
 use crate::shape::Named;
-use crate::{AccuracyOutput, GROUND, Measured, PointRef};
+use crate::{AccuracyOutput, GROUND, Measured};
 
 /// All rules of one output but those on names.
 pub(super) fn accuracy(rules: &mut Rules<'_>) {
@@ -70,23 +70,12 @@ fn distance(rules: &mut Rules<'_>, output: &AccuracyOutput, path: &str) {
 }
 
 impl Names<'_, '_> {
-    /// Names in outputs.
-    pub(super) fn accuracy(&mut self) {
-        let Some(accuracy) = &self.model.accuracy else {
-            return;
-        };
-        for (name, output) in &accuracy.outputs {
-            let path = format!("accuracy.outputs.{name}");
-            match &output.of {
-                Measured::Column(column) => self.column(&format!("{path}.column"), column),
-                Measured::Distance(points) => {
-                    for (index, point) in points.iter().enumerate() {
-                        self.point(&format!("{path}.distance[{index}]"), point);
-                    }
-                }
-            }
-            if let Some(driver) = output.at.as_ref().and_then(|at| at.driver.as_ref()) {
-                self.name(&format!("{path}.at.driver"), Named::Driver, driver);
+    /// Names in the columns of outputs.
+    pub(super) fn columns(&mut self) {
+        let outputs = self.model.accuracy.iter().flat_map(|all| &all.outputs);
+        for (name, output) in outputs {
+            if let Measured::Column(column) = &output.of {
+                self.column(&format!("accuracy.outputs.{name}.column"), column);
             }
         }
     }
@@ -109,8 +98,7 @@ impl Names<'_, '_> {
                 None => return self.force(path, force),
             },
             Some(Column::Point { body, point }) => {
-                let (body, point) = (body.to_owned(), point.to_owned());
-                return self.point(path, &PointRef { body, point });
+                return self.point(path, &format!("{body}.{point}"));
             }
             None if column.contains('[') => {
                 Complaint::new(path, "the name of a column goes without its unit").hint(format!(

@@ -3,10 +3,10 @@
 use std::f64::consts::{PI, TAU};
 
 use super::Rules;
-use super::motions::shares;
+use super::motions::{Part, part};
 use crate::cam::{ROUND_OFF, around, course};
 use crate::error::Complaint;
-use crate::{Cam, CamSegment, Follower, Joint, JointKind, Profile, RiseLaw};
+use crate::{Cam, CamSegment, Follower, Joint, JointKind, Profile};
 
 /// Complains about a cam that can't be.
 pub(super) fn cam(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
@@ -23,8 +23,16 @@ pub(super) fn cam(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
     }
     let place = format!("{path}.profile");
     let before = rules.complaints.len();
-    for (index, segment) in cam.profile.segments().iter().enumerate() {
-        part(rules, segment, &format!("{place}.segments[{index}]"));
+    for (index, of) in cam.profile.segments().iter().enumerate() {
+        let own = Part {
+            law: of.law,
+            rise: [of.rise, of.end],
+            span: ("angle", of.angle),
+            shares: [of.ramp, of.rounding],
+            dwell: of.dwell,
+            hints: OF_TURNS,
+        };
+        part(rules, &own, &format!("{place}.segments[{index}]"));
     }
     // What is out of its range, or says nothing, is followed no further.
     if rules.complaints.len() == before && !rules.holes.within(&place) {
@@ -79,70 +87,12 @@ fn follower(rules: &mut Rules<'_>, cam: &Cam, path: &str) {
     }
 }
 
-/// A segment is a rise that says how far and over which angle, or a dwell.
-fn part(rules: &mut Rules<'_>, part: &CamSegment, path: &str) {
-    let known = |key: &str| !rules.holes.has(&format!("{path}.{key}"));
-    if !known("law") || !known("dwell") {
-        return;
-    }
-    let Some(law) = part.law else {
-        let own = [
-            ("rise", part.rise),
-            ("end", part.end),
-            ("angle", part.angle),
-            ("ramp", part.ramp),
-            ("rounding", part.rounding),
-        ];
-        if let Some((key, _)) = own.iter().find(|(_, value)| value.is_some()) {
-            let message = format!("a dwell has no {key:?}");
-            let hint = "\"dwell\" says over which angle it stays; what moves has a \"law\"";
-            rules.complain(format!("{path}.{key}"), message, hint);
-        } else if part.dwell.is_none() {
-            let hint = "a segment has a \"law\", or is a \"dwell\"";
-            rules.complain(path, "\"law\" is missing", hint);
-        }
-        return;
-    };
-    let has_angle = part.angle.is_some() || !known("angle");
-    if known("rise") && known("end") {
-        match (part.rise, part.end) {
-            (None, None) => {
-                let hint =
-                    "how far it goes; back with the other sign, or \"end\": 0 to where it began";
-                rules.complain(path, "\"rise\" is missing", hint);
-            }
-            (Some(_), Some(_)) => {
-                let message = "\"rise\" and \"end\" exclude each other";
-                rules.complain(format!("{path}.end"), message, "keep one of them");
-            }
-            (Some(_), None) | (None, Some(_)) => {}
-        }
-    }
-    shares(rules, part.ramp, part.rounding, path);
-    if !has_angle {
-        let hint = "the angle of the cam over which it goes, as in \"angle\": \"120 deg\"";
-        rules.complain(path, "\"angle\" is missing", hint);
-    }
-    let (ramped, rounded) = match law {
-        RiseLaw::Cycloidal
-        | RiseLaw::Polynomial345
-        | RiseLaw::Polynomial4567
-        | RiseLaw::ModifiedSine
-        | RiseLaw::ModifiedTrapezoid => (false, false),
-        RiseLaw::TrapezoidalVelocity => (true, false),
-        RiseLaw::SCurve => (true, true),
-    };
-    let foreign = [
-        ("ramp", part.ramp, ramped),
-        ("rounding", part.rounding, rounded),
-    ];
-    if let Some((key, ..)) = (foreign.iter()).find(|(_, value, own)| value.is_some() && !own) {
-        let message = format!("this law has no {key:?}");
-        let hint =
-            "\"trapezoidal_velocity\" has a \"ramp\", \"s_curve\" a \"ramp\" and a \"rounding\"";
-        rules.complain(format!("{path}.{key}"), message, hint);
-    }
-}
+/// What is said of segments of a turn.
+const OF_TURNS: [&str; 3] = [
+    "\"dwell\" says over which angle it stays; what moves has a \"law\"",
+    "how far it goes; back with the other sign, or \"end\": 0 to where it began",
+    "the angle of the cam over which it goes, as in \"angle\": \"120 deg\"",
+];
 
 /// Segments fill a turn at most, and come back to where they began.
 fn turn(rules: &Rules<'_>, cam: &Cam) -> Option<Fault> {

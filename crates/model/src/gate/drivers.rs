@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::Rules;
 use crate::tree::word;
-use crate::{DriverKind, GROUND, JointKind, PointRef};
+use crate::{DriverKind, GROUND, PointRef};
 
 /// Complains about drivers of what can't be driven, or is driven already.
 pub(super) fn drivers(rules: &mut Rules<'_>) {
@@ -98,18 +98,7 @@ fn length(rules: &mut Rules<'_>, path: &str, between: &[PointRef; 2]) -> Option<
 fn translation(rules: &mut Rules<'_>, path: &str, joint: &str) -> Option<String> {
     let found = rules.model.joints.get(joint);
     let found = found.filter(|_| !rules.holes.has(&format!("joints.{joint}.type")));
-    let slides = found.is_none_or(|found| match found.kind {
-        JointKind::Prismatic { .. } | JointKind::Slot { .. } => true,
-        JointKind::Revolute { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Fixed { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_) => false,
-    });
-    match found.filter(|_| !slides) {
+    match found.filter(|found| !found.kind.slides()) {
         Some(found) => {
             let kind = word(&found.kind);
             let message = format!("this joint is {kind}, neither prismatic nor slot");

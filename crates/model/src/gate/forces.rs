@@ -79,30 +79,10 @@ fn cable(rules: &mut Rules<'_>, through: &[PointRef], path: &str) {
 pub(super) fn formulas(rules: &mut Rules<'_>) {
     let model = rules.model;
     let mut catalogue = None;
-    let mut look = |value: &Value, wanted: Option<Dimension>, path: String| {
-        formula(rules, &mut catalogue, (value, wanted), path);
-    };
     for (name, force) in &model.forces {
-        let path = |key: &str| format!("forces.{name}.{key}");
-        match &force.kind {
-            ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
-                look(free_length, None, path("free_length"));
-            }
-            ForceKind::TorsionSpring { free_angle, .. } => {
-                look(free_angle, None, path("free_angle"));
-            }
-            ForceKind::Load { vector, .. } => {
-                for (index, part) in vector.iter().enumerate() {
-                    let path = path(&format!("vector[{index}]"));
-                    look(part, Some(Dimension::Force), path);
-                }
-            }
-            ForceKind::Torque { value, .. } => {
-                look(value, Some(Dimension::Torque), path("value"));
-            }
-            ForceKind::Actuator { force, .. } => {
-                look(force, Some(Dimension::Force), path("force"));
-            }
+        for (key, value, wanted) in force.kind.values() {
+            let path = format!("forces.{name}.{key}");
+            formula(rules, &mut catalogue, (value, wanted), path);
         }
     }
 }

@@ -29,6 +29,7 @@ pub use ranges::{length_fault, name_fault};
 use std::ops::Deref;
 
 use crate::error::{Complaint, Complaints};
+use crate::tree::Tree;
 use crate::{ClearanceModel, JointKind, Model, suggest};
 
 /// Complaints after which no more names are looked up.
@@ -141,11 +142,13 @@ fn inspect(model: &Model, holes: Holes) -> Said {
         warnings: Vec::new(),
     };
     // What is out of its range is looked at no further.
-    for complaint in ranges::ranges(model, &rules.holes) {
+    let tree = Tree::of(model);
+    let (complaints, named) = ranges::ranges(&tree, &rules.holes);
+    for complaint in complaints {
         rules.holes.add(&complaint.path);
         rules.complaints.push(complaint);
     }
-    names::references(&mut rules);
+    names::references(&mut rules, &named);
     rules.bodies();
     rules.joints();
     drivers::drivers(&mut rules);

@@ -1,8 +1,8 @@
 //! Laws of motion: times of tables increase, rises say once how far and how fast, drivers have no corners.
 
 use super::Rules;
-use crate::motion::{Interpolation, Motion, Paced, Rise, RiseLaw, Segment};
-use crate::{ForceKind, Value};
+use crate::motion::{Interpolation, Motion, Paced, RiseLaw};
+use crate::Value;
 
 /// Share of a rise, or of a ramp, that is too large.
 const HALF: f64 = 0.5;
@@ -22,33 +22,11 @@ pub(super) fn motions(rules: &mut Rules<'_>) {
         motion(rules, &driver.motion, Of::Driver, &path);
     }
     for (name, force) in &model.forces {
-        let path = format!("forces.{name}");
-        match &force.kind {
-            ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
-                value(rules, free_length, &format!("{path}.free_length"));
-            }
-            ForceKind::TorsionSpring { free_angle, .. } => {
-                value(rules, free_angle, &format!("{path}.free_angle"));
-            }
-            ForceKind::Load { vector, .. } => {
-                for (index, part) in vector.iter().enumerate() {
-                    value(rules, part, &format!("{path}.vector[{index}]"));
-                }
-            }
-            ForceKind::Torque { value: torque, .. } => {
-                value(rules, torque, &format!("{path}.value"));
-            }
-            ForceKind::Actuator { force, .. } => {
-                value(rules, force, &format!("{path}.force"));
+        for (key, value, _) in force.kind.values() {
+            if let Value::Motion(of_time) = value {
+                motion(rules, of_time, Of::Force, &format!("forces.{name}.{key}"));
             }
         }
-    }
-}
-
-fn value(rules: &mut Rules<'_>, value: &Value, path: &str) {
-    match value {
-        Value::Constant(_) | Value::Formula(_) => {}
-        Value::Motion(of_time) => motion(rules, of_time, Of::Force, path),
     }
 }
 
@@ -80,8 +58,7 @@ fn motion(rules: &mut Rules<'_>, motion: &Motion, of: Of, path: &str) {
         | Motion::Polynomial4567(rise)
         | Motion::ModifiedSine(rise)
         | Motion::ModifiedTrapezoid(rise) => {
-            let Rise { rise, end, .. } = *rise;
-            how_far(rules, rise, end, path);
+            how_far(rules, [rise.rise, rise.end], HOW_FAR, path);
         }
         Motion::TrapezoidalVelocity(rise) => {
             if rise.jerk.is_some() || rise.rounding.is_some() {
@@ -92,8 +69,16 @@ fn motion(rules: &mut Rules<'_>, motion: &Motion, of: Of, path: &str) {
         }
         Motion::SCurve(rise) => paced(rules, rise, true, path),
         Motion::Sequence { segments, .. } => {
-            for (index, part) in segments.iter().enumerate() {
-                segment(rules, part, &format!("{path}.segments[{index}]"));
+            for (index, of) in segments.iter().enumerate() {
+                let own = Part {
+                    law: of.law,
+                    rise: [of.rise, of.end],
+                    span: ("duration", of.duration),
+                    shares: [of.ramp, of.rounding],
+                    dwell: of.dwell,
+                    hints: OF_SEQUENCES,
+                };
+                part(rules, &own, &format!("{path}.segments[{index}]"));
             }
         }
     }
@@ -127,22 +112,22 @@ fn closed(rules: &mut Rules<'_>, points: &[[f64; 2]], path: &str) {
     }
 }
 
+/// How far a rise goes.
+const HOW_FAR: &str = "how far it goes, as in \"rise\": \"30 deg\", or \"end\", where to";
+
 /// A rise says once how far it goes.
-fn how_far(rules: &mut Rules<'_>, rise: Option<f64>, end: Option<f64>, path: &str) {
+fn how_far(rules: &mut Rules<'_>, rise: [Option<f64>; 2], hint: &str, path: &str) {
     let known = |key: &str| !rules.holes.has(&format!("{path}.{key}"));
     if !known("rise") || !known("end") {
         return;
     }
-    match (rise, end) {
-        (None, None) => {
-            let hint = "how far it goes, as in \"rise\": \"30 deg\", or \"end\", where to";
-            rules.complain(path, "\"rise\" is missing", hint);
-        }
-        (Some(_), Some(_)) => {
+    match rise {
+        [None, None] => rules.complain(path, "\"rise\" is missing", hint),
+        [Some(_), Some(_)] => {
             let message = "\"rise\" and \"end\" exclude each other";
             rules.complain(format!("{path}.end"), message, "keep one of them");
         }
-        (Some(_), None) | (None, Some(_)) => {}
+        [Some(_), None] | [None, Some(_)] => {}
     }
 }
 
@@ -159,14 +144,14 @@ fn share(rules: &mut Rules<'_>, share: Option<f64>, most: f64, path: &str) {
     }
 }
 
-pub(super) fn shares(rules: &mut Rules<'_>, ramp: Option<f64>, rounding: Option<f64>, path: &str) {
+fn shares(rules: &mut Rules<'_>, ramp: Option<f64>, rounding: Option<f64>, path: &str) {
     share(rules, ramp, HALF, &format!("{path}.ramp"));
     share(rules, rounding, 1.0, &format!("{path}.rounding"));
 }
 
 /// A rise says once how fast it is: by its duration and shares of it, or by what it may reach.
 fn paced(rules: &mut Rules<'_>, rise: &Paced, is_rounded: bool, path: &str) {
-    how_far(rules, rise.rise, rise.end, path);
+    how_far(rules, [rise.rise, rise.end], HOW_FAR, path);
     shares(rules, rise.ramp, rise.rounding, path);
     let known = |key: &str| !rules.holes.has(&format!("{path}.{key}"));
     if !known("duration") || !known("velocity") {
@@ -208,36 +193,55 @@ fn paced(rules: &mut Rules<'_>, rise: &Paced, is_rounded: bool, path: &str) {
     }
 }
 
-/// A part of a sequence.
-fn segment(rules: &mut Rules<'_>, part: &Segment, path: &str) {
+/// A part of a sequence, or of a turn of a cam: a rise or a dwell.
+pub(super) struct Part {
+    pub law: Option<RiseLaw>,
+    /// How far, or where to.
+    pub rise: [Option<f64>; 2],
+    /// Over which time or angle, with its key.
+    pub span: (&'static str, Option<f64>),
+    /// Ramp and rounding.
+    pub shares: [Option<f64>; 2],
+    pub dwell: Option<f64>,
+    /// Of a dwell with other keys, of a rise that does not say how far, and of one without span.
+    pub hints: [&'static str; 3],
+}
+
+const OF_SEQUENCES: [&str; 3] = [
+    "\"dwell\" says how long it stays; what moves has a \"law\"",
+    HOW_FAR,
+    "how long the rise takes, as in \"duration\": \"0.2 s\"",
+];
+
+/// A segment is a rise that says how far it goes and over what, or a dwell.
+pub(super) fn part(rules: &mut Rules<'_>, part: &Part, path: &str) {
     let known = |key: &str| !rules.holes.has(&format!("{path}.{key}"));
     if !known("law") || !known("dwell") {
         return;
     }
-    let Segment { ramp, rounding, .. } = *part;
+    let [of_dwell, of_rise, of_span] = part.hints;
+    let ([ramp, rounding], (span, over)) = (part.shares, part.span);
     let Some(law) = part.law else {
         let own = [
-            ("rise", part.rise),
-            ("end", part.end),
-            ("duration", part.duration),
+            ("rise", part.rise[0]),
+            ("end", part.rise[1]),
+            (span, over),
             ("ramp", ramp),
             ("rounding", rounding),
         ];
         if let Some((key, _)) = own.iter().find(|(_, value)| value.is_some()) {
             let message = format!("a dwell has no {key:?}");
-            let hint = "\"dwell\" says how long it stays; what moves has a \"law\"";
-            rules.complain(format!("{path}.{key}"), message, hint);
+            rules.complain(format!("{path}.{key}"), message, of_dwell);
         } else if part.dwell.is_none() {
             let hint = "a segment has a \"law\", or is a \"dwell\"";
             rules.complain(path, "\"law\" is missing", hint);
         }
         return;
     };
-    how_far(rules, part.rise, part.end, path);
+    how_far(rules, part.rise, of_rise, path);
     shares(rules, ramp, rounding, path);
-    if part.duration.is_none() && !rules.holes.has(&format!("{path}.duration")) {
-        let hint = "how long the rise takes, as in \"duration\": \"0.2 s\"";
-        rules.complain(path, "\"duration\" is missing", hint);
+    if over.is_none() && !rules.holes.has(&format!("{path}.{span}")) {
+        rules.complain(path, format!("{span:?} is missing"), of_span);
     }
     let (ramped, rounded) = match law {
         RiseLaw::Cycloidal

@@ -7,22 +7,32 @@ use indexmap::IndexMap;
 use super::{ENOUGH, Rules};
 use crate::error::Complaint;
 use crate::shape::Named;
-use crate::{DriverKind, ForceKind, GROUND, JointKind, Model, PointRef, suggest};
+use crate::{GROUND, Model, suggest};
 
-/// Complains where a text names nothing.
-pub(super) fn references(rules: &mut Rules<'_>) {
-    let model = rules.model;
-    let look = Names {
-        model,
-        dotted: model
-            .bodies
-            .keys()
-            .filter(|name| name.contains('.'))
-            .map(String::as_str)
-            .collect(),
+/// Something that is named in a model.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Reference<'t> {
+    /// A point, `body.point`.
+    Point(&'t str),
+    /// A body, a joint or a driver.
+    Name(Named, &'t str),
+}
+
+/// Complains where a text names nothing; each with its path.
+pub(super) fn references(rules: &mut Rules<'_>, named: &[(String, Reference<'_>)]) {
+    let bodies = rules.model.bodies.keys();
+    let mut look = Names {
+        model: rules.model,
+        dotted: { bodies }.filter(|name| name.contains('.')).map(String::as_str).collect(),
         rules,
     };
-    look.all();
+    for (path, reference) in named {
+        match *reference {
+            Reference::Point(text) => look.point(path, text),
+            Reference::Name(kind, name) => look.name(path, kind, name),
+        }
+    }
+    look.columns();
 }
 
 /// What was probably meant, else all there is.
@@ -53,99 +63,6 @@ pub(super) struct Names<'r, 'm> {
 }
 
 impl Names<'_, '_> {
-    fn all(mut self) {
-        let model = self.model;
-        for (name, joint) in &model.joints {
-            let path = format!("joints.{name}");
-            self.points(&joint.between, &path);
-            match &joint.kind {
-                JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. } => {
-                    self.maybe_body(carrier, &path, "carrier");
-                }
-                JointKind::Revolute { .. }
-                | JointKind::Prismatic { .. }
-                | JointKind::Slot { .. }
-                | JointKind::Fixed { .. }
-                | JointKind::Contact { .. }
-                | JointKind::Cam(_)
-                | JointKind::Rack { .. }
-                | JointKind::Bushing(_) => {}
-            }
-        }
-        for (name, driver) in &model.drivers {
-            let path = format!("drivers.{name}");
-            match &driver.kind {
-                DriverKind::Rotation { body, relative_to } => {
-                    self.name(&format!("{path}.body"), Named::Body, body);
-                    self.maybe_body(relative_to, &path, "relative_to");
-                }
-                DriverKind::Translation { joint } => {
-                    self.name(&format!("{path}.joint"), Named::Joint, joint);
-                }
-                DriverKind::Length { between } => self.points(between, &path),
-            }
-        }
-        self.forces();
-        for (index, point) in model.points.iter().enumerate() {
-            self.point(&format!("points[{index}]"), point);
-        }
-        self.accuracy();
-        self.optimise();
-        let Some(analysis) = &model.analysis else {
-            return;
-        };
-        if let Some(sample) = &analysis.sample {
-            self.name("analysis.sample.driver", Named::Driver, &sample.driver);
-        }
-        if let Some(transmission) = &analysis.transmission {
-            if let Some(driver) = &transmission.driver {
-                self.name("analysis.transmission.driver", Named::Driver, driver);
-            }
-            let output = &transmission.output;
-            self.name("analysis.transmission.output", Named::Body, output);
-        }
-    }
-
-    fn forces(&mut self) {
-        for (name, force) in &self.model.forces {
-            let path = format!("forces.{name}");
-            match &force.kind {
-                ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
-                    self.points(between, &path);
-                }
-                ForceKind::Cable { through, .. } => {
-                    for (index, point) in through.iter().enumerate() {
-                        self.point(&format!("{path}.through[{index}]"), point);
-                    }
-                }
-                ForceKind::TorsionSpring { between, .. } => {
-                    for (index, body) in between.iter().enumerate() {
-                        self.name(&format!("{path}.between[{index}]"), Named::Body, body);
-                    }
-                }
-                ForceKind::Load { at, .. } => self.point(&format!("{path}.at"), at),
-                ForceKind::Torque {
-                    body, relative_to, ..
-                } => {
-                    self.name(&format!("{path}.body"), Named::Body, body);
-                    self.maybe_body(relative_to, &path, "relative_to");
-                }
-            }
-        }
-    }
-
-    fn points(&mut self, between: &[PointRef; 2], path: &str) {
-        for (index, point) in between.iter().enumerate() {
-            self.point(&format!("{path}.between[{index}]"), point);
-        }
-    }
-
-    fn maybe_body(&mut self, body: &Option<String>, path: &str, key: &str) {
-        if let Some(body) = body {
-            self.name(&format!("{path}.{key}"), Named::Body, body);
-        }
-    }
-
     /// Whether it is not yet known what is wrong at a path.
     pub(super) fn is_open(&self, path: &str) -> bool {
         self.rules.complaints.len() < ENOUGH && !self.rules.holes.has(path)
@@ -192,21 +109,20 @@ impl Names<'_, '_> {
         Some(Complaint::new(path, format!("there is no {what} {name:?}")).hint(hint))
     }
 
-    pub(super) fn point(&mut self, path: &str, point: &PointRef) {
+    pub(super) fn point(&mut self, path: &str, text: &str) {
         if self.is_open(path) && !self.rules.holes.has("bodies") {
-            let complaint = self.missing_point(path, point);
+            let complaint = self.missing_point(path, text);
             self.rules.complaints.extend(complaint);
         }
     }
 
-    fn missing_point(&self, path: &str, reference: &PointRef) -> Option<Complaint> {
-        let text = reference.to_string();
+    fn missing_point(&self, path: &str, text: &str) -> Option<Complaint> {
         // A body whose name is refused for its dot is not missed again.
         if self.dotted.iter().any(|name| text.starts_with(name)) {
             return None;
         }
         let bodies = &self.model.bodies;
-        let PointRef { body, point } = reference;
+        let (body, point) = text.split_once('.')?;
         let empty = IndexMap::new();
         let points = match bodies.get(body) {
             Some(found) => {

@@ -1,9 +1,7 @@
 //! Optimisation: what belongs together.
 
 use super::Rules;
-use super::names::Names;
 use crate::optimise::{Curve, Optimise, Range, Relation};
-use crate::shape::Named;
 
 /// All rules but those on names.
 pub(super) fn optimise(rules: &mut Rules<'_>) {
@@ -74,23 +72,5 @@ fn timing(rules: &mut Rules<'_>, curve: &Curve) {
         let message = format!("{values} values of the driver do not fit {points} points");
         let hint = "one for each point; left out, it does not matter when the path passes them";
         rules.complain(format!("{path}.at"), message, hint);
-    }
-}
-
-impl Names<'_, '_> {
-    /// Names in what an optimisation looks for.
-    pub(super) fn optimise(&mut self) {
-        let curve = self
-            .model
-            .optimise
-            .as_ref()
-            .and_then(|all| all.curve.as_ref());
-        let Some(curve) = curve else {
-            return;
-        };
-        self.point("optimise.curve.point", &curve.point);
-        if let Some(driver) = &curve.driver {
-            self.name("optimise.curve.driver", Named::Driver, driver);
-        }
     }
 }

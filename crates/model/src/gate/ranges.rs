@@ -3,11 +3,12 @@
 use indexmap::IndexMap;
 
 use super::holes::Holes;
+use super::names::Reference;
 use crate::error::Complaint;
 use crate::shape::{Bound, Object, Shape};
 use crate::tree::Tree;
 use crate::words::{self, LENGTH};
-use crate::{GROUND as FIXED, Model};
+use crate::GROUND as FIXED;
 
 /// A name that a file can't hold: what is wrong, and what would be right.
 pub fn name_fault(name: &str) -> Option<(String, Option<&'static str>)> {
@@ -33,29 +34,34 @@ pub fn length_fault(found: usize, least: usize, exact: bool) -> String {
     format!("a list of {wanted} is expected, this one has {found}")
 }
 
-/// All single values that are not legal.
-pub(super) fn ranges(model: &Model, holes: &Holes) -> Vec<Complaint> {
+/// All single values that are not legal, and all that is named, each with its path.
+pub(super) fn ranges<'t>(
+    model: &'t Tree,
+    holes: &Holes,
+) -> (Vec<Complaint>, Vec<(String, Reference<'t>)>) {
     let mut look = Look {
         holes,
         path: String::new(),
         complaints: Vec::new(),
+        named: Vec::new(),
     };
-    match Tree::of(model) {
-        tree @ Tree::Map(_) => look.object(&tree, words::file()),
+    match model {
+        Tree::Map(_) => look.object(model, words::file()),
         Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::List(_) => {
             look.complain("this is no model");
         }
     }
-    look.complaints
+    (look.complaints, look.named)
 }
 
-struct Look<'h> {
+struct Look<'h, 't> {
     holes: &'h Holes,
     path: String,
     complaints: Vec<Complaint>,
+    named: Vec<(String, Reference<'t>)>,
 }
 
-impl Look<'_> {
+impl<'t> Look<'_, 't> {
     fn complain(&mut self, message: impl Into<String>) -> &mut Complaint {
         self.complaints.push(Complaint::new(&self.path, message));
         let last = self.complaints.len() - 1;
@@ -80,7 +86,11 @@ impl Look<'_> {
         }
     }
 
-    fn object(&mut self, tree: &Tree, object: &Object) {
+    fn refer(&mut self, reference: Reference<'t>) {
+        self.named.push((self.path.clone(), reference));
+    }
+
+    fn object(&mut self, tree: &'t Tree, object: &Object) {
         for field in &object.fields {
             if let Some(value) = tree.get(field.key) {
                 self.key(field.key, |look| look.value(value, &field.shape));
@@ -89,7 +99,7 @@ impl Look<'_> {
     }
 
     /// A number, a motion, or a formula, in which nothing is out of its range.
-    fn varying(&mut self, value: &Tree) {
+    fn varying(&mut self, value: &'t Tree) {
         match value {
             Tree::Number(number) => self.number(*number, Bound::Any),
             formula if formula.get("formula").is_some() => {}
@@ -97,7 +107,7 @@ impl Look<'_> {
         }
     }
 
-    fn value(&mut self, tree: &Tree, shape: &Shape) {
+    fn value(&mut self, tree: &'t Tree, shape: &Shape) {
         match (shape, tree) {
             (
                 Shape::Quantity(_, bound) | Shape::Number(bound) | Shape::Coefficient(bound),
@@ -140,45 +150,14 @@ impl Look<'_> {
                     self.object(tree, variant);
                 }
             }
-            // Their types allow nothing else, or names are looked up.
-            (
-                Shape::Format
-                | Shape::Curve(_)
-                | Shape::State(_)
-                | Shape::Event
-                | Shape::Entries
-                | Shape::Entry
-                | Shape::Units
-                | Shape::Parameters
-                | Shape::Nominal
-                | Shape::Deviations
-                | Shape::Alike(_)
-                | Shape::Text
-                | Shape::Choice(_)
-                | Shape::Name(_)
-                | Shape::Point
-                | Shape::Quantity(..)
-                | Shape::PerAxis(..)
-                | Shape::Number(_)
-                | Shape::Coefficient(_)
-                | Shape::Count(..)
-                | Shape::ContactStiffness
-                | Shape::Direction
-                | Shape::End(_)
-                | Shape::Pair(_)
-                | Shape::List(..)
-                | Shape::Table
-                | Shape::Map(_)
-                | Shape::Response
-                | Shape::Limit
-                | Shape::Asked(_)
-                | Shape::Bodies,
-                _,
-            ) => {}
+            (Shape::Point, Tree::Text(text)) => self.refer(Reference::Point(text)),
+            (Shape::Name(kind), Tree::Text(name)) => self.refer(Reference::Name(*kind, name)),
+            // Their types allow nothing else.
+            (_, _) => {}
         }
     }
 
-    fn bodies(&mut self, members: &IndexMap<String, Tree>) {
+    fn bodies(&mut self, members: &'t IndexMap<String, Tree>) {
         if members.is_empty() {
             self.complain("it is empty, at least one is needed");
         }
@@ -190,7 +169,7 @@ impl Look<'_> {
         }
     }
 
-    fn materials(&mut self, materials: &Tree) {
+    fn materials(&mut self, materials: &'t Tree) {
         let is_one = materials.get("young_modulus").is_some();
         let name = if is_one { "Material" } else { "Separate" };
         self.object(materials, words::object(name));
@@ -206,7 +185,7 @@ impl Look<'_> {
     }
 
     /// A number, or the least and the greatest one.
-    fn range(&mut self, limits: &Tree, bound: Bound) {
+    fn range(&mut self, limits: &'t Tree, bound: Bound) {
         match limits {
             Tree::Number(number) => self.number(*number, bound),
             Tree::List(items) => {
@@ -230,7 +209,7 @@ impl Look<'_> {
         }
     }
 
-    fn direction(&mut self, items: &[Tree]) {
+    fn direction(&mut self, items: &'t [Tree]) {
         let is_known = |index: usize| !self.holes.has(&format!("{}[{index}]", self.path));
         let is_zero = |item: &Tree| *item == Tree::Number(0.0);
         if items.iter().all(is_zero) && (0..items.len()).all(is_known) {
@@ -239,7 +218,7 @@ impl Look<'_> {
         self.list(items, &Shape::Number(Bound::Any), 0);
     }
 
-    fn list(&mut self, items: &[Tree], of: &Shape, least: usize) {
+    fn list(&mut self, items: &'t [Tree], of: &Shape, least: usize) {
         if items.len() < least {
             self.complain(length_fault(items.len(), least, false));
         }
@@ -248,7 +227,7 @@ impl Look<'_> {
         }
     }
 
-    fn named(&mut self, name: &str, value: &Tree, of: &Shape) {
+    fn named(&mut self, name: &str, value: &'t Tree, of: &Shape) {
         self.key(name, |look| {
             if let Some((message, hint)) = name_fault(name)
                 && !look.holes.has_key(&look.path)
@@ -262,7 +241,7 @@ impl Look<'_> {
     }
 
     /// Ground has points and nothing else.
-    fn ground(&mut self, ground: &Tree) {
+    fn ground(&mut self, ground: &'t Tree) {
         let rest = Tree::of(&crate::Body::default());
         for (key, reason) in &words::object("Ground").refused {
             if ground.get(key) != rest.get(key) {

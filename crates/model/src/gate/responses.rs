@@ -63,16 +63,12 @@ fn unit(rules: &mut Rules<'_>, response: &Response, quantity: &Quantity, path: &
             let message = format!("{text:?} is no unit of {}, which this is", quantity.words());
             rules.complain(path, message, such);
         }
-        Err(UnitFault::Unknown { symbol, nearest }) => {
-            let near = nearest.map(|near| format!("did you mean {near:?}?"));
-            rules.complain(
-                path,
-                format!("unknown unit {symbol:?}"),
-                near.unwrap_or(such),
-            );
+        Err(UnitFault::TooLarge) => {
+            rules.complain(path, UnitFault::Malformed.message(&text), such);
         }
-        Err(UnitFault::Missing | UnitFault::Malformed | UnitFault::TooLarge) => {
-            rules.complain(path, format!("{text:?} cannot be read as a unit"), such);
+        Err(fault) => {
+            let hint = fault.hint().unwrap_or(such);
+            rules.complain(path, fault.message(&text), hint);
         }
     }
 }

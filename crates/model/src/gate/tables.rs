@@ -2,7 +2,6 @@
 
 use super::Rules;
 use crate::expression::is_function;
-use crate::force::ForceKind;
 use crate::motion::Interpolation;
 use crate::table::{MOST_POINTS, Table, is_end};
 use crate::{Formula, Value};
@@ -23,18 +22,14 @@ pub(super) fn tables(rules: &mut Rules<'_>) {
         table(rules, own, &path);
     }
     for (name, force) in &model.forces {
-        let path = |key: &str| format!("forces.{name}.{key}");
-        match &force.kind {
-            ForceKind::Load { vector, .. } => {
-                for (index, part) in vector.iter().enumerate() {
-                    value(rules, part, &path(&format!("vector[{index}]")));
-                }
+        for (key, value, wanted) in force.kind.values() {
+            if let Value::Formula(Formula {
+                table: Some(own), ..
+            }) = value
+                && wanted.is_some()
+            {
+                table(rules, own, &format!("forces.{name}.{key}"));
             }
-            ForceKind::Torque { value: torque, .. } => value(rules, torque, &path("value")),
-            ForceKind::Actuator { force, .. } => value(rules, force, &path("force")),
-            ForceKind::Spring { .. }
-            | ForceKind::Cable { .. }
-            | ForceKind::TorsionSpring { .. } => {}
         }
     }
 }
@@ -42,15 +37,6 @@ pub(super) fn tables(rules: &mut Rules<'_>) {
 fn is_word(name: &str) -> bool {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     name.chars().all(is_part) && name.starts_with(|c: char| c.is_alphabetic() || c == '_')
-}
-
-fn value(rules: &mut Rules<'_>, value: &Value, path: &str) {
-    if let Value::Formula(Formula {
-        table: Some(own), ..
-    }) = value
-    {
-        table(rules, own, path);
-    }
 }
 
 fn table(rules: &mut Rules<'_>, table: &Table, path: &str) {

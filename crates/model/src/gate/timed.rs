@@ -47,7 +47,7 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
         }
         if key == "active" {
             whole(rules, joint, &at, has_end);
-        } else if !moves(&joint.kind) {
+        } else if !joint.kind.turns() && !joint.kind.slides() {
             let hint = "revolute and prismatic joints and slots can";
             rules.complain(&at, "this joint can't be locked", hint);
         }
@@ -56,20 +56,6 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
     if has_one_way && !matches!(joint.kind, JointKind::Revolute { .. }) {
         let at = format!("{path}.one_way");
         rules.complain(at, "only a revolute joint turns", "leave it out");
-    }
-}
-
-/// Whether a joint turns or slides by itself.
-fn moves(kind: &JointKind) -> bool {
-    match kind {
-        JointKind::Revolute { .. } | JointKind::Prismatic { .. } | JointKind::Slot { .. } => true,
-        JointKind::Gear { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Fixed { .. }
-        | JointKind::Bushing(_)
-        | JointKind::Contact { .. } => false,
     }
 }
 

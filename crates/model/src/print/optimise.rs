@@ -2,11 +2,11 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Printer, members, plain};
+use super::{Printer, plain};
 use crate::node::Node;
 use crate::shape::{Asked, Shape};
 use crate::tree::Tree;
-use crate::walk::Driven;
+use crate::walk::{Driven, NOTE};
 
 /// What may change has no names in a file without parameters.
 pub fn named(file: &mut Map<String, Value>) {
@@ -42,8 +42,7 @@ impl Printer<'_> {
         let Value::Object(all) = whole else {
             return whole;
         };
-        let notes = members(written).and_then(|members| members.get("note"));
-        let note = notes.filter(|member| member.node.as_str().is_some());
+        let note = written.and_then(|node| node.get(NOTE)).filter(|note| note.as_str().is_some());
         let mut out = Map::new();
         for (name, range) in all {
             let unit = self.walk.unit_of(&name);
@@ -57,9 +56,7 @@ impl Printer<'_> {
             };
             out.insert(name, range);
         }
-        if let Some(member) = note {
-            out.insert("note".to_owned(), member.node.to_value());
-        }
+        out.extend(note.map(|note| (NOTE.to_owned(), note.to_value())));
         Value::Object(out)
     }
 }

@@ -6,7 +6,7 @@ use super::{Printer, plain};
 use crate::dimension::Dimension;
 use crate::event::Event;
 use crate::formula::Formula;
-use crate::node::{Kind, Node, Origin};
+use crate::node::{Kind, Node};
 use crate::response::{Response, self_contained};
 use crate::shape::Shape;
 use crate::state::State;
@@ -140,15 +140,8 @@ impl Printer<'_> {
                 Value::Number(number) => Kind::Number(number.clone()),
                 other => Kind::String(other.as_str().unwrap_or_default().to_owned()),
             };
-            let origin = Origin::Text(0, 0);
-            let node = Node { kind, origin };
-            let shape = Shape::Limit;
-            if self.says(
-                &node,
-                &shape,
-                Driven::Parameter(quantity),
-                &Tree::Number(limit),
-            ) {
+            let (node, driven) = (Node::of(kind), Driven::Parameter(quantity));
+            if self.says(&node, &Shape::Limit, driven, &Tree::Number(limit)) {
                 return value;
             }
         }

@@ -59,18 +59,10 @@ impl Catalogue {
             catalogue.body(name, body.points.keys().map(String::as_str), &wanted);
         }
         for (name, joint) in &model.joints {
-            let slides = matches!(
-                joint.kind,
-                JointKind::Prismatic { .. } | JointKind::Slot { .. }
-            );
-            let turns = matches!(
-                joint.kind,
-                JointKind::Revolute { .. } | JointKind::Slot { .. }
-            );
             catalogue.joints.push(Joint {
                 name: name.clone(),
-                slides,
-                turns,
+                slides: joint.kind.slides(),
+                turns: joint.kind.turns(),
                 touches: matches!(joint.kind, JointKind::Cam(_)),
             });
         }

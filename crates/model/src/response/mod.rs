@@ -24,10 +24,8 @@ pub struct Response {
     /// The expression, `max(piston.x) - min(piston.x)`.
     pub value: String,
     /// Lower and upper limit, in SI.
-    #[serde(default)]
     pub limits: Option<[f64; 2]>,
     /// The unit in which it is shown; of no account for anything else.
-    #[serde(default)]
     pub unit: Option<String>,
     /// The parameters that the expression names.
     #[serde(default)]
@@ -64,10 +62,7 @@ impl Response {
             .map(|(name, constant)| (name.as_str(), constant.quantity()))
             .collect();
         let compiled = Compiled::read(&self.value, &parameters, results, false);
-        compiled.map_err(|Misfit { fault, .. }| Complaint {
-            hint: fault.hint,
-            ..Complaint::new("", fault.message)
-        })
+        compiled.map_err(|misfit: Misfit| misfit.fault.at(""))
     }
 }
 

@@ -42,6 +42,29 @@ pub enum UnitFault {
     TooLarge,
 }
 
+impl UnitFault {
+    /// What is wrong with a text.
+    pub fn message(&self, text: &str) -> String {
+        match self {
+            UnitFault::Unknown { symbol, .. } => format!("unknown unit {symbol:?}"),
+            UnitFault::Missing | UnitFault::Malformed => {
+                format!("{text:?} cannot be read as a unit")
+            }
+            UnitFault::TooLarge => format!("{text:?} is too much of a unit"),
+        }
+    }
+
+    /// What was probably meant.
+    pub fn hint(&self) -> Option<String> {
+        match self {
+            UnitFault::Unknown { nearest, .. } => {
+                nearest.map(|near| format!("did you mean {near:?}?"))
+            }
+            UnitFault::Missing | UnitFault::Malformed | UnitFault::TooLarge => None,
+        }
+    }
+}
+
 impl Unit {
     const ONE: Unit = Unit {
         powers: powers(0, 0, 0, 0),

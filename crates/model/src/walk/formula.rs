@@ -6,7 +6,7 @@ use super::{Driven, Walk};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::event::Sides;
-use crate::expression::{Misfit, Moved, Quantity, is_expression};
+use crate::expression::{Fault, Misfit, Moved, Quantity, is_expression};
 use crate::formula::{Arguments, misfit};
 use crate::node::{Kind, Node};
 use crate::response::{Catalogue, Constant};
@@ -62,11 +62,7 @@ impl Walk<'_> {
             Err(_) if self.has_faulty_function() => Some(None),
             Err(_) if self.parameters.evaluate(text).is_ok() => None,
             Err(Misfit { at, fault }) if names_a_part(text) || self.names_time(text) => {
-                let complaint = Complaint {
-                    hint: fault.hint,
-                    ..Complaint::new(path, fault.message)
-                };
-                self.complain_at(node, Some(at), complaint);
+                self.complain_at(node, Some(at), fault.at(path));
                 Some(None)
             }
             Err(_) => None,
@@ -117,11 +113,8 @@ impl Walk<'_> {
             Err(Misfit { at, fault }) => {
                 // The sides of an event are compared by their difference.
                 let message = fault.message.replace("be subtracted", "be compared");
-                let complaint = Complaint {
-                    hint: fault.hint,
-                    ..Complaint::new(path, message)
-                };
-                self.complain_at(node, Some(sides.place(at)), complaint);
+                let fault = Fault { message, ..fault };
+                self.complain_at(node, Some(sides.place(at)), fault.at(path));
                 None
             }
         }

@@ -103,7 +103,7 @@ impl Walk<'_> {
 /// What stands in a table's points.
 pub static COLUMNS: [Shape; 2] = [
     Shape::Quantity(Measure::Of(Dimension::Time), Bound::Any),
-    Shape::Quantity(Measure::Driven, Bound::Any),
+    Shape::Quantity(Measure::Driven(0), Bound::Any),
 ];
 
 /// What is driven at a place of a list: of coefficients the derivative of that order.

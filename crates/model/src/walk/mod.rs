@@ -32,7 +32,7 @@ use crate::error::Complaint;
 use crate::examples;
 use crate::expression::{Found, Parameter, Parameters, Recorded};
 use crate::gate::Holes;
-use crate::node::{Kind, Node, Origin};
+use crate::node::{Kind, Node, Origin, members};
 use crate::response::Catalogue;
 use crate::shape::{Bound, Choice, Shape};
 use crate::source::Source;
@@ -123,10 +123,7 @@ fn walk_with(
 
 /// What each driver of a file drives, by its name.
 fn driven(root: &Node) -> HashMap<String, Dimension> {
-    let Some(Kind::Object(drivers)) = root.get("drivers").map(|drivers| &drivers.kind) else {
-        return HashMap::new();
-    };
-    let known = drivers.iter().filter_map(|(name, driver)| {
+    let known = members(root.get("drivers")).filter_map(|(name, driver)| {
         let dimension = match driver.node.get("type")?.as_str()? {
             "rotation" => Dimension::Angle,
             "translation" | "length" => Dimension::Length,

@@ -6,7 +6,7 @@ use super::{Driven, NOTE, Walk, wrong_kind};
 use crate::error::Complaint;
 use crate::examples;
 use crate::expression::{Misfit, Quantity};
-use crate::node::{Kind, Node, join};
+use crate::node::{Kind, Node, join, members};
 use crate::optimise::Relation;
 use crate::response::Catalogue;
 use crate::shape::Asked;
@@ -190,11 +190,7 @@ impl Walk<'_> {
         match read {
             Ok(found) => Some(found),
             Err(Misfit { at: within, fault }) => {
-                let complaint = Complaint {
-                    hint: fault.hint,
-                    ..Complaint::new(path, fault.message)
-                };
-                self.complain_at(node, Some(at + within), complaint);
+                self.complain_at(node, Some(at + within), fault.at(path));
                 None
             }
         }
@@ -203,10 +199,7 @@ impl Walk<'_> {
 
 /// Names and texts of the responses of a file.
 fn responses(root: &Node) -> Vec<(String, String)> {
-    let Some(Kind::Object(members)) = root.get("responses").map(|node| &node.kind) else {
-        return Vec::new();
-    };
-    let all = members.iter().filter_map(|(name, member)| {
+    let all = members(root.get("responses")).filter_map(|(name, member)| {
         let node = &member.node;
         let text = node.as_str().or_else(|| node.get("value")?.as_str())?;
         Some((name.clone(), text.to_owned()))

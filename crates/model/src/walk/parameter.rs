@@ -6,7 +6,7 @@ use super::{Driven, Walk, wrong_kind};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::expression::{Fault, Quantity, is_expression, quantity};
-use crate::node::{Kind, Node, join};
+use crate::node::{Kind, Node, join, members};
 use crate::shape::Bound;
 use crate::tolerance::{Distribution, Tolerance};
 use crate::units::split_quantity;
@@ -15,10 +15,7 @@ use crate::words;
 impl Walk<'_> {
     /// Reads the tolerances of all parameters that have one.
     pub(super) fn tolerances(&mut self, node: &Node, path: &str) {
-        let Kind::Object(members) = &node.kind else {
-            return;
-        };
-        for (name, member) in members.iter() {
+        for (name, member) in members(Some(node)) {
             if let Kind::Object(_) = member.node.kind {
                 self.parameter(&member.node, name, &join(path, name));
             }

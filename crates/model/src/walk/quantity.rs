@@ -128,15 +128,11 @@ impl Walk<'_> {
                 format!("the unit is missing, a unit of {}", wanted.name),
                 such,
             ),
-            Err(UnitFault::Unknown { symbol, nearest }) => {
-                let near = nearest.map(|near| format!("did you mean {near:?}?"));
-                (
-                    format!("unknown unit {symbol:?}"),
-                    near.unwrap_or_else(|| format!("{} is wanted, {such}", wanted.name)),
-                )
+            Err(fault @ UnitFault::Unknown { .. }) => {
+                let wanted = || format!("{} is wanted, {such}", wanted.name);
+                (fault.message(&text), fault.hint().unwrap_or_else(wanted))
             }
-            Err(UnitFault::Malformed) => (format!("{text:?} cannot be read as a unit"), such),
-            Err(UnitFault::TooLarge) => (format!("{text:?} is too much of a unit"), such),
+            Err(fault) => (fault.message(&text), such),
         };
         self.complain(node, Complaint::new(path, message).hint(hint));
         None
@@ -147,11 +143,7 @@ impl Walk<'_> {
         match self.parameters.evaluate(text) {
             Ok(result) => result,
             Err(Misfit { at, fault }) => {
-                let complaint = Complaint {
-                    hint: fault.hint,
-                    ..Complaint::new(path, fault.message)
-                };
-                self.complain_at(node, Some(at), complaint);
+                self.complain_at(node, Some(at), fault.at(path));
                 None
             }
         }

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use super::{Driven, Walk, wrong_kind};
 use crate::error::Complaint;
 use crate::expression::{Misfit, Quantity, is_expression, quantity};
-use crate::node::{Kind, Node, join};
+use crate::node::{Kind, Node, join, members};
 use crate::response::{Catalogue, Constant};
 use crate::shape::Shape;
 use crate::words;
@@ -21,13 +21,11 @@ impl Walk<'_> {
 
     /// All responses; none is called like a parameter.
     pub(super) fn responses(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
-        if let Kind::Object(members) = &node.kind {
-            for (name, member) in members.iter() {
-                if self.parameters.has(name) {
-                    let complaint = Complaint::new(join(path, name), "a parameter has this name");
-                    let hint = "give the response another name";
-                    self.complain_key(member.key, name, complaint.hint(hint));
-                }
+        for (name, member) in members(Some(node)) {
+            if self.parameters.has(name) {
+                let complaint = Complaint::new(join(path, name), "a parameter has this name");
+                let hint = "give the response another name";
+                self.complain_key(member.key, name, complaint.hint(hint));
             }
         }
         self.map(node, &Shape::Response, path, driven)
@@ -95,11 +93,7 @@ impl Walk<'_> {
         match read {
             Ok(found) => found,
             Err(Misfit { at, fault }) => {
-                let complaint = Complaint {
-                    hint: fault.hint,
-                    ..Complaint::new(path, fault.message)
-                };
-                self.complain_at(node, Some(at), complaint);
+                self.complain_at(node, Some(at), fault.at(path));
                 None
             }
         }
@@ -147,11 +141,7 @@ impl Walk<'_> {
             Kind::String(text) => match quantity(text) {
                 Ok(found) => found,
                 Err(fault) => {
-                    let complaint = Complaint {
-                        hint: fault.hint,
-                        ..Complaint::new(path, fault.message)
-                    };
-                    self.complain(node, complaint);
+                    self.complain(node, fault.at(path));
                     return None;
                 }
             },

@@ -7,7 +7,7 @@ use super::table::Column;
 use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
 use crate::expression::{Binary, Misfit, Quantity, is_expression};
-use crate::node::{Kind, Node, join};
+use crate::node::{Node, join, members};
 use crate::response::Constant;
 use crate::state::State;
 use crate::units::{Unit, split_quantity};
@@ -26,11 +26,7 @@ pub struct Early {
 impl Walk<'_> {
     /// Reads the states, which formulas anywhere may name.
     pub(super) fn read_states(&mut self, node: Option<&Node>) {
-        let Some(Kind::Object(members)) = node.map(|node| &node.kind) else {
-            return;
-        };
-        let members = members.iter();
-        let members = members.filter(|(_, one)| one.node.as_str().is_none());
+        let members = members(node).filter(|(_, one)| one.node.as_str().is_none());
         let members: Vec<_> = members.map(|(name, one)| (name, &one.node)).collect();
         for (name, node) in &members {
             self.states.push(Early {
@@ -116,11 +112,7 @@ impl Walk<'_> {
                 return None;
             }
             Err(Misfit { at, fault }) => {
-                let complaint = Complaint {
-                    hint: fault.hint,
-                    ..Complaint::new(place, fault.message)
-                };
-                self.complain_at(rate, Some(at), complaint);
+                self.complain_at(rate, Some(at), fault.at(place));
                 return None;
             }
         };

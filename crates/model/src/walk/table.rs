@@ -7,7 +7,7 @@ use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
 use crate::expression::{Misfit, Quantity, is_expression};
 use crate::motion::Interpolation;
-use crate::node::{Kind, Node, join};
+use crate::node::{Kind, Node, join, members};
 use crate::shape::Object;
 use crate::table::{MOST_POINTS, Table, unit};
 use crate::units::{Unit, split_quantity, with_decimal_point};
@@ -25,13 +25,7 @@ pub(super) struct Column {
 impl Walk<'_> {
     /// Reads the tables, which formulas anywhere may call.
     pub(super) fn read_tables(&mut self, node: Option<&Node>) {
-        let Some(Kind::Object(members)) = node.map(|node| &node.kind) else {
-            return;
-        };
-        for (name, member) in members
-            .iter()
-            .filter(|(_, one)| one.node.as_str().is_none())
-        {
+        for (name, member) in members(node).filter(|(_, one)| one.node.as_str().is_none()) {
             let path = join("tables", name);
             let table = self.points_of(&member.node, words::object("Table"), &path, [None; 2]);
             if self.parameters.has(name) {
@@ -89,9 +83,7 @@ impl Walk<'_> {
                     Ok(read) => read.map(|read| (text, read)),
                     Err(_) if self.has_faulty_function() => None,
                     Err(Misfit { fault, .. }) => {
-                        let complaint = Complaint::new(join(path, "of"), fault.message);
-                        let hint = fault.hint;
-                        self.complain(of, Complaint { hint, ..complaint });
+                        self.complain(of, fault.at(join(path, "of")));
                         None
                     }
                 }
@@ -170,7 +162,7 @@ impl Walk<'_> {
             return None;
         }
         let columns = [0, 1].map(|index| {
-            let unit = entry_of(node.get("units"), index);
+            let unit = node.get("units").and_then(|units| units.entry(index));
             self.column(unit, items, index, (path, plain[index]))
         });
         let mut read = Vec::with_capacity(items.len());
@@ -232,7 +224,7 @@ impl Walk<'_> {
             };
         }
         let brought = items.iter().find_map(|item| {
-            let text = entry_of(Some(item), index)?.as_str()?;
+            let text = item.entry(index)?.as_str()?;
             if is_expression(text) {
                 let value = self.parameters.evaluate(text).ok()??;
                 return value.whole_powers().filter(|_| !value.is_pure());
@@ -333,10 +325,3 @@ fn wanted(found: &str, column: Column) -> Complaint {
     Complaint::new("", format!("this is {found}, where {place} is wanted"))
 }
 
-/// An entry of a list.
-fn entry_of(node: Option<&Node>, index: usize) -> Option<&Node> {
-    match node.map(|node| &node.kind) {
-        Some(Kind::Array(items)) => items.get(index),
-        _ => None,
-    }
-}

@@ -157,29 +157,13 @@ impl Units {
                 dimension: None,
                 ..self.derivative(Dimension::Stiffness, 0)
             }),
-            (Measure::Driven, Driven::Dimension(dimension)) => Some(self.derivative(dimension, 0)),
-            (Measure::DrivenVelocity, Driven::Dimension(dimension)) => {
-                Some(self.rate(dimension, 1))
+            (Measure::Driven(order), Driven::Dimension(dimension)) => {
+                Some(self.rate(dimension, order))
             }
-            (Measure::DrivenAcceleration, Driven::Dimension(dimension)) => {
-                Some(self.rate(dimension, 2))
-            }
-            (Measure::DrivenJerk, Driven::Dimension(dimension)) => Some(self.rate(dimension, 3)),
             (Measure::DrivenCoefficient, Driven::Coefficient(dimension, order)) => {
                 Some(self.derivative(dimension, order))
             }
-            (
-                Measure::Driven
-                | Measure::DrivenVelocity
-                | Measure::DrivenAcceleration
-                | Measure::DrivenJerk
-                | Measure::DrivenCoefficient,
-                Driven::Nothing
-                | Driven::Dimension(_)
-                | Driven::Coefficient(..)
-                | Driven::Parameter(_)
-                | Driven::Unknown,
-            ) => None,
+            (Measure::Driven(_) | Measure::DrivenCoefficient, _) => None,
         }
     }
 

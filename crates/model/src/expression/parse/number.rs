@@ -153,17 +153,12 @@ fn two_meanings(word: &str) -> Fault {
 }
 
 fn unit_fault(unit: &str, found: &UnitFault) -> Fault {
+    let said = Fault::new(found.message(unit));
     match found {
-        UnitFault::Unknown { symbol, nearest } => {
-            let said = Fault::new(format!("unknown unit {symbol:?}"));
-            match nearest {
-                Some(near) => said.hint(format!("did you mean {near:?}?")),
-                None => said.hint("a product is written with *"),
-            }
+        UnitFault::Unknown { .. } => {
+            let near = found.hint();
+            said.hint(near.unwrap_or_else(|| "a product is written with *".to_owned()))
         }
-        UnitFault::TooLarge => Fault::new(format!("{unit:?} is too much of a unit")),
-        UnitFault::Missing | UnitFault::Malformed => {
-            Fault::new(format!("{unit:?} cannot be read as a unit"))
-        }
+        UnitFault::Missing | UnitFault::Malformed | UnitFault::TooLarge => said,
     }
 }
