@@ -24,7 +24,8 @@ impl Model {
     /// No body holds both centres, not the one that the file names, or the centres are one.
     #[doc(hidden)]
     pub fn carrier(&self, name: &str, joint: &Joint) -> Option<Result<Carrier<'_>, Complaint>> {
-        let (JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. }) = &joint.kind else {
+        let (JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. }) = &joint.kind
+        else {
             return None;
         };
         let (between, carrier) = (&joint.between, carrier.as_deref());

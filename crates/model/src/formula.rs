@@ -15,7 +15,7 @@ use crate::suggest;
 use crate::table::Table;
 
 /// A force, or a part of one, as a function of time and of quantities that move.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Formula {
     /// The expression with its sign, `=-c*slider.vx`.
     pub formula: String,

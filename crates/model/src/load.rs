@@ -17,7 +17,8 @@ use super::stale;
 use super::walk::{Findings, Undotted, display, walk};
 use super::{FORMAT, ForceKind, Model, hold};
 use crate::error::{Complaint, Complaints};
-use serde_json::Value;
+use crate::tree::Tree;
+use serde::Deserialize;
 
 /// Largest file that is read \[bytes\].
 const LARGEST: u64 = 64 * 1024 * 1024;
@@ -199,12 +200,12 @@ fn pass(
 /// A typed model from its value in SI units, passed by the gate; complaints with their places, and warnings.
 pub(super) fn typed(
     source: &Source,
-    value: Value,
+    tree: Tree,
     holes: Holes,
     undotted: &[Undotted],
 ) -> (Result<Checked, Vec<Complaint>>, Vec<Complaint>) {
     // the words are described as these types are, so nothing is left to go wrong
-    let mut model = match serde_json::from_value::<Model>(value) {
+    let mut model = match Model::deserialize(tree) {
         Ok(model) => model,
         Err(error) => {
             let message = format!("the words allow what the model does not: {error}");

@@ -53,7 +53,7 @@ pub struct Objective {
 }
 
 /// An expression of responses, columns and parameters.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Sought {
     /// As the file has it.
     pub text: String,
@@ -62,7 +62,7 @@ pub struct Sought {
 }
 
 /// What must hold.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Constraint {
     /// As the file has it.
     pub text: String,
@@ -75,10 +75,11 @@ pub struct Constraint {
 }
 
 /// How two sides compare.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Relation {
     /// The left one is the right one.
+    #[default]
     Equal,
     /// The left one is not greater.
     AtMost,

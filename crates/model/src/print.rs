@@ -105,12 +105,11 @@ fn plain(tree: &Tree) -> Value {
 }
 
 /// Whether two values are the same to the last bit.
-fn is_same(value: &Value, tree: &Tree) -> bool {
-    match tree {
-        Tree::Number(number) => value.as_f64().map(f64::to_bits) == Some(number.to_bits()),
-        Tree::Count(count) => value.as_u64() == Some(*count),
-        Tree::Text(text) => value.as_str() == Some(text),
-        Tree::Null | Tree::List(_) | Tree::Map(_) => false,
+fn is_same(one: &Tree, other: &Tree) -> bool {
+    match (one, other) {
+        (Tree::Number(one), Tree::Number(other)) => one.to_bits() == other.to_bits(),
+        (Tree::Count(_) | Tree::Text(_), other) => one == other,
+        (Tree::Null | Tree::Number(_) | Tree::List(_) | Tree::Map(_), _) => false,
     }
 }
 
@@ -120,7 +119,7 @@ fn is_default(tree: &Tree, field: &Field) -> bool {
         Need::Required | Need::Optional => return false,
         Need::Default(default) | Need::Silent(default) => default,
     };
-    let number = |number: f64| json!(number);
+    let number = Tree::Number;
     match (default, tree) {
         (Default::Zero, tree) => is_same(&number(0.0), tree),
         (Default::Number(default), tree) => is_same(&number(default), tree),
@@ -356,7 +355,9 @@ impl Printer<'_> {
         let mut entries: Vec<(String, Value)> = Vec::with_capacity(things.len() + 1);
         for (name, thing) in things {
             let is_remark = name == NOTE && remark.is_some();
-            let known = written.and_then(|node| node.get(name)).filter(|_| !is_remark);
+            let known = written
+                .and_then(|node| node.get(name))
+                .filter(|_| !is_remark);
             entries.push((name.clone(), self.value(thing, &of(name), known, driven)));
         }
         // A thing may be called like the remark, which then gives way.
@@ -376,7 +377,12 @@ impl Printer<'_> {
         let values = items.iter().enumerate().map(|(index, item)| {
             let shape = of(index);
             let driven = entry_driven(&shape, driven, index);
-            self.value(item, &shape, written.and_then(|list| list.entry(index)), driven)
+            self.value(
+                item,
+                &shape,
+                written.and_then(|list| list.entry(index)),
+                driven,
+            )
         });
         values.collect()
     }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::formula::Formula;
 
 /// A quantity of which the rate is known, integrated with the motion.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct State {
     /// Its rate.
     pub rate: Formula,

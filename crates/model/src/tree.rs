@@ -5,6 +5,8 @@
 use std::fmt;
 
 use indexmap::IndexMap;
+use serde::de::value::{MapDeserializer, SeqDeserializer};
+use serde::de::{self, Deserializer, IntoDeserializer, Visitor};
 use serde::ser::{self, Serialize};
 
 /// A value.
@@ -38,12 +40,40 @@ impl Tree {
         }
     }
 
+    /// An entry of a list.
+    pub fn entry(&self, index: usize) -> Option<&Tree> {
+        match self {
+            Tree::List(items) => items.get(index),
+            Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::Map(_) => None,
+        }
+    }
+
+    /// The number, where this is one.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Tree::Number(number) => Some(*number),
+            Tree::Null | Tree::Count(_) | Tree::Text(_) | Tree::List(_) | Tree::Map(_) => None,
+        }
+    }
+
     /// The text, where this is one.
     pub fn text(&self) -> Option<&str> {
         match self {
             Tree::Text(text) => Some(text),
             Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::List(_) | Tree::Map(_) => None,
         }
+    }
+}
+
+impl From<&str> for Tree {
+    fn from(text: &str) -> Tree {
+        Tree::Text(text.to_owned())
+    }
+}
+
+impl FromIterator<Tree> for Tree {
+    fn from_iter<I: IntoIterator<Item = Tree>>(items: I) -> Tree {
+        Tree::List(items.into_iter().collect())
     }
 }
 
@@ -58,22 +88,66 @@ pub fn word<T: Serialize + ?Sized>(choice: &T) -> String {
     }
 }
 
-/// What no tree can hold.
-#[derive(Debug)]
-pub struct Unwritten;
-
-impl fmt::Display for Unwritten {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("no model holds such a value")
+impl<'de> IntoDeserializer<'de, Unwritten> for Tree {
+    type Deserializer = Tree;
+    fn into_deserializer(self) -> Tree {
+        self
     }
 }
 
-impl std::error::Error for Unwritten {}
+/// A part of a model is what its tree says.
+impl<'de> Deserializer<'de> for Tree {
+    type Error = Unwritten;
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unwritten> {
+        match self {
+            Tree::Null => visitor.visit_unit(),
+            Tree::Number(number) => visitor.visit_f64(number),
+            Tree::Count(count) => visitor.visit_u64(count),
+            Tree::Text(text) => visitor.visit_string(text),
+            Tree::List(items) => visitor.visit_seq(SeqDeserializer::new(items.into_iter())),
+            Tree::Map(members) => visitor.visit_map(MapDeserializer::new(members.into_iter())),
+        }
+    }
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unwritten> {
+        match self {
+            Tree::Null => visitor.visit_none(),
+            value => visitor.visit_some(value),
+        }
+    }
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Unwritten> {
+        let word = self.text().unwrap_or_default();
+        visitor.visit_enum(word.into_deserializer())
+    }
+    serde::forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit
+        unit_struct newtype_struct seq tuple tuple_struct map struct identifier ignored_any
+    }
+}
+
+/// What a tree can't hold, or a model.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct Unwritten(String);
 
 impl ser::Error for Unwritten {
-    fn custom<T: fmt::Display>(_: T) -> Self {
-        Unwritten
+    fn custom<T: fmt::Display>(said: T) -> Self {
+        Unwritten(said.to_string())
     }
+}
+
+impl de::Error for Unwritten {
+    fn custom<T: fmt::Display>(said: T) -> Self {
+        Unwritten(said.to_string())
+    }
+}
+
+fn unwritten<T>() -> Result<T, Unwritten> {
+    Err(Unwritten("no model holds such a value".to_owned()))
 }
 
 /// Writes a tree.
@@ -86,14 +160,14 @@ impl ser::Serializer for Writer {
     type Error = Unwritten;
     type SerializeSeq = Items;
     type SerializeTuple = Items;
-    type SerializeTupleStruct = Items;
+    type SerializeTupleStruct = ser::Impossible<Tree, Unwritten>;
     type SerializeTupleVariant = ser::Impossible<Tree, Unwritten>;
     type SerializeMap = Members;
     type SerializeStruct = Members;
     type SerializeStructVariant = ser::Impossible<Tree, Unwritten>;
 
     fn serialize_bool(self, _: bool) -> Written {
-        Err(Unwritten)
+        unwritten()
     }
     fn serialize_i8(self, value: i8) -> Written {
         Ok(Tree::Number(value.into()))
@@ -105,7 +179,7 @@ impl ser::Serializer for Writer {
         Ok(Tree::Number(value.into()))
     }
     fn serialize_i64(self, _: i64) -> Written {
-        Err(Unwritten)
+        unwritten()
     }
     fn serialize_u8(self, value: u8) -> Written {
         Ok(Tree::Count(value.into()))
@@ -132,7 +206,7 @@ impl ser::Serializer for Writer {
         Ok(Tree::Text(value.to_owned()))
     }
     fn serialize_bytes(self, _: &[u8]) -> Written {
-        Err(Unwritten)
+        unwritten()
     }
     fn serialize_none(self) -> Written {
         Ok(Tree::Null)
@@ -163,7 +237,7 @@ impl ser::Serializer for Writer {
         _: &'static str,
         _: &T,
     ) -> Written {
-        Err(Unwritten)
+        unwritten()
     }
     fn serialize_seq(self, length: Option<usize>) -> Result<Items, Unwritten> {
         Ok(Items(Vec::with_capacity(length.unwrap_or(0))))
@@ -171,8 +245,12 @@ impl ser::Serializer for Writer {
     fn serialize_tuple(self, length: usize) -> Result<Items, Unwritten> {
         self.serialize_seq(Some(length))
     }
-    fn serialize_tuple_struct(self, _: &'static str, length: usize) -> Result<Items, Unwritten> {
-        self.serialize_seq(Some(length))
+    fn serialize_tuple_struct(
+        self,
+        _: &'static str,
+        _: usize,
+    ) -> Result<Self::SerializeTupleStruct, Unwritten> {
+        unwritten()
     }
     fn serialize_tuple_variant(
         self,
@@ -181,7 +259,7 @@ impl ser::Serializer for Writer {
         _: &'static str,
         _: usize,
     ) -> Result<Self::SerializeTupleVariant, Unwritten> {
-        Err(Unwritten)
+        unwritten()
     }
     fn serialize_map(self, length: Option<usize>) -> Result<Members, Unwritten> {
         Ok(Members {
@@ -199,7 +277,7 @@ impl ser::Serializer for Writer {
         _: &'static str,
         _: usize,
     ) -> Result<Self::SerializeStructVariant, Unwritten> {
-        Err(Unwritten)
+        unwritten()
     }
 }
 
@@ -235,17 +313,6 @@ impl ser::SerializeTuple for Items {
     }
 }
 
-impl ser::SerializeTupleStruct for Items {
-    type Ok = Tree;
-    type Error = Unwritten;
-    fn serialize_field<T: Serialize + ?Sized>(&mut self, value: &T) -> Result<(), Unwritten> {
-        self.add(value)
-    }
-    fn end(self) -> Written {
-        Ok(Tree::List(self.0))
-    }
-}
-
 /// A map that is being written.
 struct Members {
     members: IndexMap<String, Tree>,
@@ -259,7 +326,7 @@ impl ser::SerializeMap for Members {
         match key.serialize(Writer)? {
             Tree::Text(key) => self.key = key,
             Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::List(_) | Tree::Map(_) => {
-                return Err(Unwritten);
+                return unwritten();
             }
         }
         Ok(())

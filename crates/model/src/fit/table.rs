@@ -8,9 +8,15 @@ pub const DELTAS_TO: u32 = 8;
 
 /// The rows of the table by their names, those of grades and of letters.
 static ROWS: LazyLock<HashMap<&str, Vec<f64>>> = LazyLock::new(|| {
-    let rows = include_str!("table.txt").lines().filter(|row| !row.starts_with('#'));
+    let rows = include_str!("table.txt")
+        .lines()
+        .filter(|row| !row.starts_with('#'));
     let rows = rows.filter_map(|row| row.split_once(' '));
-    let numbers = |text: &str| text.split_whitespace().filter_map(|cell| cell.parse().ok()).collect();
+    let numbers = |text: &str| {
+        text.split_whitespace()
+            .filter_map(|cell| cell.parse().ok())
+            .collect()
+    };
     rows.map(|(name, cells)| (name, numbers(cells))).collect()
 });
 

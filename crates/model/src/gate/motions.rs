@@ -1,8 +1,8 @@
 //! Laws of motion: times of tables increase, rises say once how far and how fast, drivers have no corners.
 
 use super::Rules;
-use crate::motion::{Interpolation, Motion, Paced, RiseLaw};
 use crate::Value;
+use crate::motion::{Interpolation, Motion, Paced, RiseLaw};
 
 /// Share of a rise, or of a ramp, that is too large.
 const HALF: f64 = 0.5;

@@ -23,7 +23,10 @@ pub(super) fn references(rules: &mut Rules<'_>, named: &[(String, Reference<'_>)
     let bodies = rules.model.bodies.keys();
     let mut look = Names {
         model: rules.model,
-        dotted: { bodies }.filter(|name| name.contains('.')).map(String::as_str).collect(),
+        dotted: { bodies }
+            .filter(|name| name.contains('.'))
+            .map(String::as_str)
+            .collect(),
         rules,
     };
     for (path, reference) in named {

@@ -4,11 +4,11 @@ use indexmap::IndexMap;
 
 use super::holes::Holes;
 use super::names::Reference;
+use crate::GROUND as FIXED;
 use crate::error::Complaint;
 use crate::shape::{Bound, Object, Shape};
 use crate::tree::Tree;
 use crate::words::{self, LENGTH};
-use crate::GROUND as FIXED;
 
 /// A name that a file can't hold: what is wrong, and what would be right.
 pub fn name_fault(name: &str) -> Option<(String, Option<&'static str>)> {

@@ -29,20 +29,21 @@ impl Printer<'_> {
 
     /// Bounds as the file says them, else in SI with their unit.
     fn design(&mut self, tree: &Tree, written: Option<&Node>) -> Value {
-        let whole = plain(tree);
         if let Some(node) = written
             && self
                 .walk
                 .sound(node, &Shape::Asked(Asked::Design), Driven::Nothing)
                 .as_ref()
-                == Some(&whole)
+                == Some(tree)
         {
             return node.to_value();
         }
-        let Value::Object(all) = whole else {
-            return whole;
+        let Value::Object(all) = plain(tree) else {
+            return plain(tree);
         };
-        let note = written.and_then(|node| node.get(NOTE)).filter(|note| note.as_str().is_some());
+        let note = written
+            .and_then(|node| node.get(NOTE))
+            .filter(|note| note.as_str().is_some());
         let mut out = Map::new();
         for (name, range) in all {
             let unit = self.walk.unit_of(&name);

@@ -25,7 +25,9 @@ impl Printer<'_> {
             Tree::Number(_) if is_list => {
                 let both = [tree.clone(), tree.clone()];
                 let is_twice = (0..2).all(|index| {
-                    written.and_then(|list| list.entry(index)).is_some_and(|node| self.says(node, of, driven, tree))
+                    written
+                        .and_then(|list| list.entry(index))
+                        .is_some_and(|node| self.says(node, of, driven, tree))
                 });
                 match is_twice {
                     true => self.list(&both, |_| *of, written, driven),

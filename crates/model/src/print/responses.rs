@@ -1,5 +1,6 @@
 //! Responses printed back.
 
+use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 use super::{Printer, plain};
@@ -21,7 +22,7 @@ impl Printer<'_> {
         written: Option<&Node>,
         driven: Driven,
     ) -> Value {
-        let tree = without_nulls(plain(tree));
+        let tree = without_nulls(tree.clone());
         if let Some(node) = written
             && self
                 .walk
@@ -32,8 +33,8 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        let Ok(response) = serde_json::from_value::<Response>(tree.clone()) else {
-            return tree;
+        let Ok(response) = Response::deserialize(tree.clone()) else {
+            return plain(&tree);
         };
         let text = self_contained(&response.value, &response.parameters);
         if response.limits.is_none() && response.unit.is_none() {
@@ -59,7 +60,7 @@ impl Printer<'_> {
         if tree.get("formula").is_none() {
             return self.value(tree, &Shape::Varying(of), written, driven);
         }
-        let tree = without_nulls(plain(tree));
+        let tree = without_nulls(tree.clone());
         let shape = &Shape::Formula(of);
         let says = |walk: &mut Walk<'_>, node: &Node| {
             let value = walk.sound(node, shape, driven).map(without_nulls);
@@ -70,15 +71,15 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        let Ok(mut formula) = serde_json::from_value::<Formula>(tree.clone()) else {
-            return tree;
+        let Ok(mut formula) = Formula::deserialize(tree.clone()) else {
+            return plain(&tree);
         };
         let text = self_contained(&formula.formula, &formula.parameters);
         let Some(table) = formula.table.take() else {
             return text.into();
         };
         let mut out = Map::from_iter([("of".to_owned(), text.trim_start_matches('=').into())]);
-        if let Value::Object(members) = without_nulls(json!(table)) {
+        if let Value::Object(members) = plain(&without_nulls(Tree::of(&table))) {
             out.extend(members);
         }
         Value::Object(out)
@@ -86,16 +87,16 @@ impl Printer<'_> {
 
     /// An event as the file says it, else with the values of its parameters.
     pub(super) fn event(&mut self, tree: &Tree, written: Option<&Node>, driven: Driven) -> Value {
-        let tree = without_nulls(plain(tree));
+        let tree = without_nulls(tree.clone());
         if let Some(node) = written {
             let said = self.walk.sound(node, &Shape::Event, driven);
             if said.map(without_nulls).as_ref() == Some(&tree) {
                 return node.to_value();
             }
         }
-        match serde_json::from_value::<Event>(tree.clone()) {
+        match Event::deserialize(tree.clone()) {
             Ok(event) => event.self_contained().into(),
-            Err(_) => tree,
+            Err(_) => plain(&tree),
         }
     }
 
@@ -107,7 +108,7 @@ impl Printer<'_> {
         written: Option<&Node>,
         driven: Driven,
     ) -> Value {
-        let tree = without_nulls(plain(tree));
+        let tree = without_nulls(tree.clone());
         if let Some(node) = written
             && self
                 .walk
@@ -118,8 +119,8 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        let Ok(state) = serde_json::from_value::<State>(tree.clone()) else {
-            return tree;
+        let Ok(state) = State::deserialize(tree.clone()) else {
+            return plain(&tree);
         };
         let rate = self_contained(&state.rate.formula, &state.rate.parameters);
         let start = format!("{:?} {}", state.start, state.unit);
@@ -150,16 +151,15 @@ impl Printer<'_> {
 }
 
 /// An object without keys that hold nothing.
-fn without_nulls(value: Value) -> Value {
-    match value {
-        Value::Object(members) => {
-            let is_there = |value: &Value| match value {
-                Value::Null => false,
-                Value::Object(members) => !members.is_empty(),
-                _ => true,
+fn without_nulls(tree: Tree) -> Tree {
+    match tree {
+        Tree::Map(members) => {
+            let is_there = |value: &Tree| match value {
+                Tree::Map(members) => !members.is_empty(),
+                value => *value != Tree::Null,
             };
             let kept = members.into_iter().filter(|(_, value)| is_there(value));
-            Value::Object(kept.collect())
+            Tree::Map(kept.collect())
         }
         other => other,
     }

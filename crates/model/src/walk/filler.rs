@@ -1,19 +1,24 @@
 //! Values that stand where a file is faulty, so that the rest of it can be read.
 
-use serde_json::{Map, Value};
+use indexmap::IndexMap;
 
+use crate::event::Event;
+use crate::tree::Tree;
+
+use crate::optimise::{Constraint, Sought};
 use crate::shape::{Asked, Need, Object, Shape};
 use crate::words;
+use crate::{Response, State, Table};
 
 /// A value of a shape that stands for none.
-pub fn filler(shape: &Shape) -> Value {
+pub fn filler(shape: &Shape) -> Tree {
     match shape {
-        Shape::Format | Shape::Text | Shape::Name(_) => Value::from(""),
+        Shape::Format | Shape::Text | Shape::Name(_) => Tree::from(""),
         Shape::Units | Shape::Parameters | Shape::Nominal | Shape::Deviations | Shape::End(_) => {
-            Value::Null
+            Tree::Null
         }
-        Shape::Point => Value::from("."),
-        Shape::Choice(choice) => Value::from(choice.words.first().map_or("", |word| word.0)),
+        Shape::Point => Tree::from("."),
+        Shape::Choice(choice) => Tree::from(choice.words.first().map_or("", |word| word.0)),
         Shape::Quantity(..)
         | Shape::Range(..)
         | Shape::PerAxis(..)
@@ -23,40 +28,38 @@ pub fn filler(shape: &Shape) -> Value {
         | Shape::ContactStiffness
         | Shape::Limit
         | Shape::Varying(_)
-        | Shape::Formula(_) => Value::from(0.0),
-        Shape::Count(least, _) => Value::from(*least),
-        Shape::Direction => Value::from(vec![1.0, 0.0]),
-        Shape::Place => Value::from(vec![0.0, 0.0]),
-        Shape::Pair(of) => Value::from(vec![filler(of), filler(of)]),
-        Shape::Entries | Shape::Entry => Value::Null,
-        Shape::Curve(_) => serde_json::json!({ "points": [] }),
-        Shape::Event => serde_json::json!({ "event": "" }),
-        Shape::State(_) => serde_json::json!({ "rate": { "formula": "=0" } }),
-        Shape::List(..) | Shape::Table => Value::Array(Vec::new()),
-        Shape::Response => serde_json::json!({ "value": "" }),
-        Shape::Asked(Asked::Value) => serde_json::json!({ "text": "", "value": "" }),
-        Shape::Asked(Asked::Constraint) => {
-            serde_json::json!({ "text": "", "left": "", "relation": "equal", "right": "" })
-        }
+        | Shape::Formula(_) => Tree::Number(0.0),
+        Shape::Count(least, _) => Tree::Count(*least as u64),
+        Shape::Direction => [1.0, 0.0].map(Tree::Number).into_iter().collect(),
+        Shape::Place => [0.0, 0.0].map(Tree::Number).into_iter().collect(),
+        Shape::Pair(of) => Tree::List(vec![filler(of), filler(of)]),
+        Shape::Entries | Shape::Entry => Tree::Null,
+        Shape::Curve(_) => Tree::of(&Table::default()),
+        Shape::Event => Tree::of(&Event::new("")),
+        Shape::State(_) => Tree::of(&State::default()),
+        Shape::List(..) | Shape::Table => Tree::List(Vec::new()),
+        Shape::Response => Tree::of(&Response::new("")),
+        Shape::Asked(Asked::Value) => Tree::of(&Sought::default()),
+        Shape::Asked(Asked::Constraint) => Tree::of(&Constraint::default()),
         Shape::Map(_) | Shape::Bodies | Shape::Responses | Shape::Asked(Asked::Design) => {
-            Value::Object(Map::new())
+            Tree::Map(IndexMap::new())
         }
         Shape::Materials => empty(words::object("Material"), None),
         Shape::Object(object) => empty(object, None),
         Shape::Tagged(tagged) => tagged
             .variants
             .first()
-            .map_or(Value::Null, |variant| empty(variant, Some(variant.name))),
+            .map_or(Tree::Null, |variant| empty(variant, Some(variant.name))),
     }
 }
 
 /// An object with the keys that it may not lack.
-fn empty(object: &Object, kind: Option<&str>) -> Value {
+fn empty(object: &Object, kind: Option<&str>) -> Tree {
     let kind = kind.map(|kind| ("type".to_owned(), kind.into()));
     let needed = object
         .fields
         .iter()
         .filter(|field| field.need == Need::Required);
     let needed = needed.map(|field| (field.key.to_owned(), filler(&field.shape)));
-    Value::Object(kind.into_iter().chain(needed).collect())
+    Tree::Map(kind.into_iter().chain(needed).collect())
 }

@@ -1,13 +1,15 @@
 //! Expressions of what moves, where forces are wanted.
 
-use serde_json::{Value, json};
+use indexmap::IndexMap;
+
+use crate::tree::Tree;
 
 use super::{Driven, Walk};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
-use crate::event::Sides;
+use crate::event::{Event, Sides};
 use crate::expression::{Fault, Misfit, Moved, Quantity, is_expression};
-use crate::formula::{Arguments, misfit};
+use crate::formula::{Arguments, Formula, misfit};
 use crate::node::{Kind, Node};
 use crate::response::{Catalogue, Constant};
 use crate::shape::Measure;
@@ -15,13 +17,13 @@ use crate::words;
 
 impl Walk<'_> {
     /// A quantity, or a motion of it.
-    pub(super) fn varying(&mut self, node: &Node, of: Dimension, path: &str) -> Option<Value> {
+    pub(super) fn varying(&mut self, node: &Node, of: Dimension, path: &str) -> Option<Tree> {
         let driven = Driven::Dimension(of);
         match node.kind {
             Kind::Object(_) => self.tagged(node, words::kinds("Motion"), path, driven),
             _ => {
                 let value = self.quantity(node, Measure::Of(of), path, driven);
-                value.map(Value::from)
+                value.map(Tree::Number)
             }
         }
     }
@@ -32,7 +34,7 @@ impl Walk<'_> {
         node: &Node,
         wanted: Dimension,
         path: &str,
-    ) -> Option<Option<Value>> {
+    ) -> Option<Option<Tree>> {
         if matches!(node.kind, Kind::Object(_)) && node.get("of").is_some() {
             return Some(self.table_of(node, wanted, path));
         }
@@ -55,7 +57,12 @@ impl Walk<'_> {
                     return Some(None);
                 }
                 let parameters = self.constants(constants, path);
-                Some(Some(json!({ "formula": text, "parameters": parameters })))
+                let formula = text.clone();
+                Some(Some(Tree::of(&Formula {
+                    formula,
+                    parameters,
+                    table: None,
+                })))
             }
             Ok(None) => None,
             // what is wrong with a table is told there
@@ -83,7 +90,7 @@ impl Walk<'_> {
     }
 
     /// An event, or nothing where it is faulty.
-    pub(super) fn event(&mut self, node: &Node, path: &str) -> Option<Value> {
+    pub(super) fn event(&mut self, node: &Node, path: &str) -> Option<Tree> {
         let text = self.text(node, path)?;
         let said = |complaint: Complaint| Complaint {
             path: path.to_owned(),
@@ -105,7 +112,8 @@ impl Walk<'_> {
             }
             Ok(Some((_, constants))) => {
                 let parameters = self.constants(constants, path);
-                Some(json!({ "event": text, "parameters": parameters }))
+                let event = text;
+                Some(Tree::of(&Event { event, parameters }))
             }
             Ok(None) => None,
             // what is wrong with a table is told there
@@ -149,15 +157,19 @@ impl Walk<'_> {
     }
 
     /// The parameters of a formula, which are numbers of the model like any other.
-    pub(super) fn constants(&mut self, constants: Vec<(String, Quantity)>, path: &str) -> Value {
+    pub(super) fn constants(
+        &mut self,
+        constants: Vec<(String, Quantity)>,
+        path: &str,
+    ) -> IndexMap<String, Constant> {
         for (name, _) in &constants {
             let place = format!("{path}.parameters.{name}");
             self.record(&format!("={name}"), &place, || 1.0);
         }
-        let constants = constants
-            .into_iter()
-            .map(|(name, value)| (name, json!(Constant::new(value))));
-        Value::Object(constants.collect())
+        let constants = constants.into_iter();
+        constants
+            .map(|(name, value)| (name, Constant::new(value)))
+            .collect()
     }
 }
 

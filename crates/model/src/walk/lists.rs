@@ -1,6 +1,6 @@
 //! Lists and whole numbers of a file.
 
-use serde_json::Value;
+use crate::tree::Tree;
 
 use super::{Driven, Walk, wrong_kind};
 use crate::dimension::Dimension;
@@ -36,7 +36,7 @@ impl Walk<'_> {
         length: Length,
         path: &str,
         driven: Driven,
-    ) -> Option<Value> {
+    ) -> Option<Tree> {
         let items = self.items(node, length, path)?;
         let values = items.iter().enumerate().map(|(index, item)| {
             let driven = entry_driven(of, driven, index);
@@ -52,7 +52,7 @@ impl Walk<'_> {
         of: &Shape,
         path: &str,
         driven: Driven,
-    ) -> Option<Value> {
+    ) -> Option<Tree> {
         match node.kind {
             Kind::Array(_) => self.list(node, of, (2, Some(2)), path, driven),
             _ => self.read(node, of, path, driven),
@@ -60,7 +60,7 @@ impl Walk<'_> {
     }
 
     /// Two coordinates, or these with a tolerance.
-    pub(super) fn place(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
+    pub(super) fn place(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Tree> {
         match node.kind {
             Kind::Object(_) => self.object(node, words::object("Place"), None, path, driven),
             _ => self.list(node, &LENGTH, (2, Some(2)), path, driven),
@@ -68,7 +68,7 @@ impl Walk<'_> {
     }
 
     /// Points (t, value).
-    pub(super) fn table(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
+    pub(super) fn table(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Tree> {
         let points = self.items(node, (2, None), path)?;
         let points = points.iter().enumerate().map(|(index, point)| {
             let here = format!("{path}[{index}]");

@@ -25,7 +25,7 @@ pub use units::{Driven, Units, display};
 
 use std::collections::HashMap;
 
-use serde_json::Value;
+use crate::tree::Tree;
 
 use crate::dimension::Dimension;
 use crate::error::Complaint;
@@ -55,7 +55,7 @@ pub struct Undotted {
 /// What the walk found.
 pub struct Findings {
     /// The model in SI units.
-    pub value: Value,
+    pub value: Tree,
     /// Where it holds nothing that counts.
     pub holes: Holes,
     /// Faults.
@@ -183,7 +183,7 @@ impl<'a> Walk<'a> {
     }
 
     /// The value in SI units, where nothing is wrong with it.
-    pub fn sound(&mut self, node: &Node, shape: &Shape, driven: Driven) -> Option<Value> {
+    pub fn sound(&mut self, node: &Node, shape: &Shape, driven: Driven) -> Option<Tree> {
         let before = self.complaints.len() + self.more + self.undotted.len();
         let value = self.value(node, shape, "", driven);
         (self.complaints.len() + self.more + self.undotted.len() == before).then_some(value)
@@ -195,7 +195,7 @@ impl<'a> Walk<'a> {
     }
 
     /// All of the file.
-    fn file(&mut self) -> Value {
+    fn file(&mut self) -> Tree {
         let source = self.source;
         self.read_tables(source.root.get("tables"));
         self.read_states(source.root.get("states"));
@@ -236,40 +236,42 @@ impl<'a> Walk<'a> {
     }
 
     /// The value in SI units; where it is faulty a complaint, a hole, and something of the right kind.
-    fn value(&mut self, node: &Node, shape: &Shape, path: &str, driven: Driven) -> Value {
+    fn value(&mut self, node: &Node, shape: &Shape, path: &str, driven: Driven) -> Tree {
         self.read(node, shape, path, driven)
             .unwrap_or_else(|| self.hole(shape, path))
     }
 
     /// Something of the right kind, which does not count.
-    fn hole(&mut self, shape: &Shape, path: &str) -> Value {
+    fn hole(&mut self, shape: &Shape, path: &str) -> Tree {
         self.holes.add(path);
         filler::filler(shape)
     }
 
-    fn read(&mut self, node: &Node, shape: &Shape, path: &str, driven: Driven) -> Option<Value> {
+    fn read(&mut self, node: &Node, shape: &Shape, path: &str, driven: Driven) -> Option<Tree> {
         match shape {
             Shape::Format => self.choice(node, &[crate::FORMAT], path),
             Shape::Units => self.units_of_file(node, path),
             // their values are read already
             Shape::Parameters => {
                 self.tolerances(node, path);
-                Some(Value::Null)
+                Some(Tree::Null)
             }
-            Shape::Nominal => Some(Value::Null),
+            Shape::Nominal => Some(Tree::Null),
             Shape::Deviations => self.deviations(node, path, driven),
             Shape::Alike(bound) => self.alike(node, *bound, path, driven),
             Shape::Range(measure, bound) | Shape::PerAxis(measure, bound) => {
                 self.range(node, &Shape::Quantity(*measure, *bound), path, driven)
             }
-            Shape::End(_) if matches!(node.kind, Kind::Null) => Some(Value::Null),
-            Shape::End(measure) => self.quantity(node, *measure, path, driven).map(Value::from),
+            Shape::End(_) if matches!(node.kind, Kind::Null) => Some(Tree::Null),
+            Shape::End(measure) => self
+                .quantity(node, *measure, path, driven)
+                .map(Tree::Number),
             Shape::Place => self.place(node, path, driven),
-            Shape::Text | Shape::Name(_) => self.text(node, path).map(Value::from),
+            Shape::Text | Shape::Name(_) => self.text(node, path).map(Tree::Text),
             Shape::Point => {
                 let text = self.text(node, path)?;
                 if text.contains('.') {
-                    return Some(text.into());
+                    return Some(Tree::Text(text));
                 }
                 self.undotted.push(Undotted {
                     path: path.to_owned(),
@@ -278,15 +280,15 @@ impl<'a> Walk<'a> {
                 None
             }
             Shape::Choice(choice) => self.choice(node, &texts(choice), path),
-            Shape::Quantity(measure, _) => {
-                self.quantity(node, *measure, path, driven).map(Value::from)
-            }
+            Shape::Quantity(measure, _) => self
+                .quantity(node, *measure, path, driven)
+                .map(Tree::Number),
             Shape::Number(_) | Shape::Coefficient(_) | Shape::ContactStiffness => {
-                self.plain_number(node, path).map(Value::from)
+                self.plain_number(node, path).map(Tree::Number)
             }
             Shape::Count(least, most) => {
                 let bound = Bound::Between(*least as f64, *most as f64);
-                self.whole(node, bound, path).map(Value::from)
+                self.whole(node, bound, path).map(Tree::Count)
             }
             Shape::Direction => {
                 self.list(node, &Shape::Number(Bound::Any), (2, Some(2)), path, driven)
@@ -298,7 +300,7 @@ impl<'a> Walk<'a> {
             Shape::State(_) => self.state(node, path),
             Shape::Event => self.event(node, path),
             // whoever knows the units reads them
-            Shape::Entries | Shape::Entry => Some(Value::Null),
+            Shape::Entries | Shape::Entry => Some(Tree::Null),
             Shape::Formula(dimension) => match self.formula(node, *dimension, path) {
                 Some(read) => read,
                 None => self.varying(node, *dimension, path),
@@ -316,7 +318,7 @@ impl<'a> Walk<'a> {
             }
             Shape::Responses => self.responses(node, path, driven),
             Shape::Response => self.response(node, path),
-            Shape::Limit => self.limit(node, path, driven).map(Value::from),
+            Shape::Limit => self.limit(node, path, driven).map(Tree::Number),
             Shape::Asked(asked) => self.asked(*asked, node, path),
             Shape::Map(of) => self.map(node, of, path, driven),
             Shape::Bodies => self.bodies(node, path, driven),
@@ -325,7 +327,7 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn choice(&mut self, node: &Node, choices: &[&str], path: &str) -> Option<Value> {
+    fn choice(&mut self, node: &Node, choices: &[&str], path: &str) -> Option<Tree> {
         let any = || suggest::any_of(choices.iter().copied());
         let Some(text) = node.as_str() else {
             let complaint = wrong_kind(path, "text", node);
@@ -333,7 +335,7 @@ impl<'a> Walk<'a> {
             return None;
         };
         if choices.contains(&text) {
-            return Some(Value::from(text));
+            return Some(Tree::from(text));
         }
         let word = path.rsplit(['.', ']']).next().unwrap_or(path);
         let hint = match (choices, suggest::meant(text, choices)) {

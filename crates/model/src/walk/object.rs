@@ -1,7 +1,6 @@
 //! Objects and maps of a file.
 
 use indexmap::IndexMap;
-use serde_json::{Map, Value};
 
 use super::{Driven, Walk, texts, wrong_kind};
 use crate::GROUND as FIXED;
@@ -13,6 +12,7 @@ use crate::gate::name_fault;
 use crate::node::{Kind, Member, Node, join};
 use crate::shape::{Bound, Drives, Either, Field, Measure, Need, Object, Shape, Tagged};
 use crate::suggest;
+use crate::tree::Tree;
 use crate::words;
 
 /// The key of a remark.
@@ -104,14 +104,14 @@ impl Walk<'_> {
         kind: Option<&str>,
         path: &str,
         driven: Driven,
-    ) -> Option<Value> {
+    ) -> Option<Tree> {
         let Kind::Object(members) = &node.kind else {
             self.complain(node, wrong_kind(path, "an object", node));
             return None;
         };
         let driven = self.drives(object, members, driven);
         let law = members.get("law").and_then(|member| member.node.as_str());
-        let mut out = Map::new();
+        let mut out = IndexMap::new();
         for (key, member) in members.iter() {
             let here = join(path, key);
             match (object.field(key), kind) {
@@ -137,7 +137,7 @@ impl Walk<'_> {
             }
         }
         self.missing(node, object, &mut out, path);
-        Some(Value::Object(out))
+        Some(Tree::Map(out))
     }
 
     /// An object told from others by its `type`.
@@ -147,7 +147,7 @@ impl Walk<'_> {
         tagged: &Tagged,
         path: &str,
         driven: Driven,
-    ) -> Option<Value> {
+    ) -> Option<Tree> {
         let names = || tagged.variants.iter().map(|variant| variant.name);
         let Kind::Object(members) = &node.kind else {
             self.complain(node, wrong_kind(path, "an object", node));
@@ -188,7 +188,13 @@ impl Walk<'_> {
     }
 
     /// Complains about keys that are missing.
-    fn missing(&mut self, node: &Node, object: &Object, out: &mut Map<String, Value>, path: &str) {
+    fn missing(
+        &mut self,
+        node: &Node,
+        object: &Object,
+        out: &mut IndexMap<String, Tree>,
+        path: &str,
+    ) {
         for field in object
             .fields
             .iter()
@@ -212,7 +218,7 @@ impl Walk<'_> {
     }
 
     /// Complains where none of two keys is there, or both are and must not be.
-    fn either(&mut self, node: &Node, either: Either, out: &Map<String, Value>, path: &str) {
+    fn either(&mut self, node: &Node, either: Either, out: &IndexMap<String, Tree>, path: &str) {
         let [first, second] = either.keys;
         match (out.contains_key(first), out.contains_key(second)) {
             (false, false) => {
@@ -288,12 +294,12 @@ impl Walk<'_> {
         of: &Shape,
         path: &str,
         driven: Driven,
-    ) -> Option<Value> {
+    ) -> Option<Tree> {
         self.entries(node, path, driven, |_| *of)
     }
 
     /// Bodies by their names; `ground` is one of its own kind.
-    pub(super) fn bodies(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
+    pub(super) fn bodies(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Tree> {
         self.entries(node, path, driven, |name| Shape::Object(body_of(name)))
     }
 
@@ -303,12 +309,12 @@ impl Walk<'_> {
         path: &str,
         driven: Driven,
         of: impl Fn(&str) -> Shape,
-    ) -> Option<Value> {
+    ) -> Option<Tree> {
         let Kind::Object(members) = &node.kind else {
             self.complain(node, wrong_kind(path, "an object", node));
             return None;
         };
-        let mut out = Map::new();
+        let mut out = IndexMap::new();
         for (name, member) in members.iter() {
             // in a map, `note` is a remark if it is text, else a name like any other
             if name == NOTE && member.node.as_str().is_some() {
@@ -324,11 +330,11 @@ impl Walk<'_> {
             let value = self.value(&member.node, &of(name), &here, driven);
             out.insert(name.clone(), value);
         }
-        Some(Value::Object(out))
+        Some(Tree::Map(out))
     }
 
     /// `"SI"`, or a unit per dimension.
-    pub(super) fn units_of_file(&mut self, node: &Node, path: &str) -> Option<Value> {
+    pub(super) fn units_of_file(&mut self, node: &Node, path: &str) -> Option<Tree> {
         match &node.kind {
             Kind::Object(members) => self.named_units(members, path),
             _ => self.choice(node, &["SI"], path),
@@ -336,7 +342,7 @@ impl Walk<'_> {
     }
 
     /// A unit per dimension.
-    pub(super) fn named_units(&mut self, members: &Members, path: &str) -> Option<Value> {
+    pub(super) fn named_units(&mut self, members: &Members, path: &str) -> Option<Tree> {
         let names = Dimension::NAMED.into_iter().map(Dimension::name);
         let known: Vec<&str> = names.chain([NOTE]).collect();
         for (key, member) in members {
@@ -356,6 +362,6 @@ impl Walk<'_> {
                 }
             }
         }
-        Some(Value::Null)
+        Some(Tree::Null)
     }
 }

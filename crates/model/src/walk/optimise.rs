@@ -1,13 +1,15 @@
 //! Optimisation in a file: ranges of parameters, expressions that may name responses, equations and inequalities.
 
-use serde_json::{Map, Value, json};
+use indexmap::IndexMap;
+
+use crate::tree::Tree;
 
 use super::{Driven, NOTE, Walk, wrong_kind};
 use crate::error::Complaint;
 use crate::examples;
 use crate::expression::{Misfit, Quantity};
 use crate::node::{Kind, Node, join, members};
-use crate::optimise::Relation;
+use crate::optimise::{Constraint, Relation, Sought};
 use crate::response::Catalogue;
 use crate::shape::Asked;
 use crate::suggest;
@@ -28,7 +30,7 @@ const FREE: &str = "free";
 
 impl Walk<'_> {
     /// What is asked of an optimisation.
-    pub(super) fn asked(&mut self, asked: Asked, node: &Node, path: &str) -> Option<Value> {
+    pub(super) fn asked(&mut self, asked: Asked, node: &Node, path: &str) -> Option<Tree> {
         match asked {
             Asked::Design => self.design(node, path),
             Asked::Value => self.sought(node, path),
@@ -37,12 +39,12 @@ impl Walk<'_> {
     }
 
     /// Parameters by their names, each with its bounds.
-    fn design(&mut self, node: &Node, path: &str) -> Option<Value> {
+    fn design(&mut self, node: &Node, path: &str) -> Option<Tree> {
         let Kind::Object(members) = &node.kind else {
             self.complain(node, wrong_kind(path, "an object", node));
             return None;
         };
-        let mut out = Map::new();
+        let mut out = IndexMap::new();
         for (name, member) in members.iter() {
             let here = join(path, name);
             if name == NOTE && !self.parameters.has(NOTE) && member.node.as_str().is_some() {
@@ -74,11 +76,11 @@ impl Walk<'_> {
             self.complain(node, complaint.hint("as in \"r\": [\"10 mm\", \"60 mm\"]"));
             self.holes.add(path);
         }
-        Some(Value::Object(out))
+        Some(Tree::Map(out))
     }
 
     /// A lower and an upper bound, or the word for none.
-    fn bounds(&mut self, node: &Node, name: &str, path: &str) -> Option<Value> {
+    fn bounds(&mut self, node: &Node, name: &str, path: &str) -> Option<Tree> {
         let example = "as in [\"10 mm\", \"60 mm\"]";
         match &node.kind {
             Kind::String(word) if word == FREE => return Some(FREE.into()),
@@ -106,7 +108,7 @@ impl Walk<'_> {
                     self.complain(node, Complaint::new(path, message).hint(hint));
                     return None;
                 }
-                return Some(json!(ends));
+                return Some(ends.map(Tree::Number).into_iter().collect());
             }
             Kind::Null
             | Kind::Bool(_)
@@ -121,14 +123,14 @@ impl Walk<'_> {
     }
 
     /// An expression whose value is sought.
-    fn sought(&mut self, node: &Node, path: &str) -> Option<Value> {
+    fn sought(&mut self, node: &Node, path: &str) -> Option<Tree> {
         let text = self.text(node, path)?;
         let (value, _) = self.side(node, &text, 0, path)?;
-        Some(json!({ "text": text, "value": value }))
+        Some(Tree::of(&Sought { text, value }))
     }
 
     /// An equation or an inequality.
-    fn constraint(&mut self, node: &Node, path: &str) -> Option<Value> {
+    fn constraint(&mut self, node: &Node, path: &str) -> Option<Tree> {
         let text = self.text(node, path)?;
         let Some((left, relation, right)) = split(&text) else {
             let complaint = Complaint::new(path, "an equation or an inequality is expected");
@@ -150,7 +152,12 @@ impl Walk<'_> {
             self.complain(node, Complaint::new(path, message));
             return None;
         }
-        Some(json!({ "text": text, "left": left, "relation": relation, "right": right }))
+        Some(Tree::of(&Constraint {
+            text,
+            left,
+            relation,
+            right,
+        }))
     }
 
     /// A side, without names of responses, and what it measures.

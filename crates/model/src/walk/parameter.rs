@@ -1,6 +1,6 @@
 //! Tolerances of parameters, in the dimension that each parameter turns out to have.
 
-use serde_json::Value;
+use crate::tree::Tree;
 
 use super::{Driven, Walk, wrong_kind};
 use crate::dimension::Dimension;
@@ -30,10 +30,10 @@ impl Walk<'_> {
         if self.complaints.len() + self.more > before {
             return;
         }
-        let value = value.unwrap_or_default();
-        let number = |key: &str| value.get(key).and_then(Value::as_f64);
+        let value = value.unwrap_or(Tree::Null);
+        let number = |key: &str| value.get(key).and_then(Tree::number);
         let tolerance = value.get("tolerance").and_then(|both| {
-            let at = |index: usize| both.get(index).and_then(Value::as_f64);
+            let at = |index: usize| both.entry(index).and_then(Tree::number);
             Some([at(0)?, at(1)?])
         });
         let Some(distribution) = self.distribution(node, &value, path) else {
@@ -61,9 +61,9 @@ impl Walk<'_> {
     }
 
     /// How parts are spread, none where that is faulty.
-    fn distribution(&mut self, node: &Node, value: &Value, path: &str) -> Option<Distribution> {
-        let sigma = value.get("sigma").and_then(Value::as_f64);
-        let word = value.get("distribution").and_then(Value::as_str);
+    fn distribution(&mut self, node: &Node, value: &Tree, path: &str) -> Option<Distribution> {
+        let sigma = value.get("sigma").and_then(Tree::number);
+        let word = value.get("distribution").and_then(Tree::text);
         let at = node.get("sigma").unwrap_or(node);
         let path = join(path, "sigma");
         let normal = match word {
@@ -88,7 +88,7 @@ impl Walk<'_> {
     }
 
     /// Lower and upper deviation: one to either side, or both.
-    pub(super) fn deviations(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
+    pub(super) fn deviations(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Tree> {
         let both = match &node.kind {
             Kind::Array(items) if items.len() == 2 => {
                 let [lower, upper] = [0, 1].map(|index| {
@@ -124,7 +124,7 @@ impl Walk<'_> {
                 [0.0 - width, width]
             }
         };
-        Some(Value::from(both.to_vec()))
+        Some(both.map(Tree::Number).into_iter().collect())
     }
 
     /// A deviation, in SI or, with %, of the value.
@@ -152,13 +152,13 @@ impl Walk<'_> {
         bound: Bound,
         path: &str,
         driven: Driven,
-    ) -> Option<Value> {
+    ) -> Option<Tree> {
         let number = self.like_parameter(node, path, driven)?;
         if let Some(fault) = bound.fault(number) {
             self.complain(node, Complaint::new(path, fault));
             return None;
         }
-        Some(number.into())
+        Some(Tree::Number(number))
     }
 
     /// A number with the dimension of the parameter.

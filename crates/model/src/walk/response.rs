@@ -1,6 +1,8 @@
 //! Responses of a file: their texts, checked against the names that the model has, and their limits.
 
-use serde_json::{Map, Value, json};
+use indexmap::IndexMap;
+
+use crate::tree::Tree;
 
 use super::{Driven, Walk, wrong_kind};
 use crate::error::Complaint;
@@ -20,7 +22,7 @@ impl Walk<'_> {
     }
 
     /// All responses; none is called like a parameter.
-    pub(super) fn responses(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Value> {
+    pub(super) fn responses(&mut self, node: &Node, path: &str, driven: Driven) -> Option<Tree> {
         for (name, member) in members(Some(node)) {
             if self.parameters.has(name) {
                 let complaint = Complaint::new(join(path, name), "a parameter has this name");
@@ -32,7 +34,7 @@ impl Walk<'_> {
     }
 
     /// A text, or one with limits and the unit in which it is shown.
-    pub(super) fn response(&mut self, node: &Node, path: &str) -> Option<Value> {
+    pub(super) fn response(&mut self, node: &Node, path: &str) -> Option<Tree> {
         let (text_node, text_path) = match &node.kind {
             Kind::String(_) => (Some(node), path.to_owned()),
             Kind::Object(_) => (node.get("value"), join(path, "value")),
@@ -52,20 +54,23 @@ impl Walk<'_> {
                     None => Driven::Unknown,
                 };
                 match self.object(node, words::object("Response"), None, path, driven)? {
-                    Value::Object(out) => out,
-                    _ => Map::new(),
+                    Tree::Map(out) => out,
+                    _ => IndexMap::new(),
                 }
             }
-            _ => Map::from_iter([("value".to_owned(), json!(node.as_str()))]),
+            _ => IndexMap::from([(
+                "value".to_owned(),
+                Tree::from(node.as_str().unwrap_or_default()),
+            )]),
         };
         let (_, constants) = found?;
         if !constants.is_empty() {
             let constants = constants
                 .into_iter()
-                .map(|(name, value)| (name, json!(Constant::new(value))));
-            out.insert("parameters".to_owned(), Value::Object(constants.collect()));
+                .map(|(name, value)| (name, Tree::of(&Constant::new(value))));
+            out.insert("parameters".to_owned(), Tree::Map(constants.collect()));
         }
-        Some(Value::Object(out))
+        Some(Tree::Map(out))
     }
 
     /// What a text measures, and the parameters that it names.

@@ -1,6 +1,6 @@
 //! Integrated states: their rates may name each other, so their dimensions are found one after the other.
 
-use serde_json::{Value, json};
+use crate::tree::Tree;
 
 use super::Walk;
 use super::table::Column;
@@ -8,7 +8,6 @@ use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
 use crate::expression::{Binary, Misfit, Quantity, is_expression};
 use crate::node::{Node, join, members};
-use crate::response::Constant;
 use crate::state::State;
 use crate::units::{Unit, split_quantity};
 use crate::words;
@@ -71,7 +70,7 @@ impl Walk<'_> {
     }
 
     /// A state that was read before.
-    pub(super) fn state(&mut self, node: &Node, path: &str) -> Option<Value> {
+    pub(super) fn state(&mut self, node: &Node, path: &str) -> Option<Tree> {
         let known = path.strip_prefix("states.").and_then(|name| {
             let mut states = self.states.iter();
             states.find(|one| one.name == name)
@@ -81,7 +80,7 @@ impl Walk<'_> {
             // a printer looks at one alone
             None => self.state_of(node, path)?,
         };
-        Some(json!(state))
+        Some(Tree::of(&state))
     }
 
     fn state_of(&mut self, node: &Node, path: &str) -> Option<State> {
@@ -134,17 +133,8 @@ impl Walk<'_> {
             Some(start) => self.entry(start, column, &join(path, "start")),
             None => Some(0.0),
         };
-        let named = constants.into_iter();
-        let parameters = named.map(|(name, value)| {
-            self.record(
-                &format!("={name}"),
-                &format!("{place}.parameters.{name}"),
-                || 1.0,
-            );
-            (name, Constant::new(value))
-        });
         let mut formula = crate::Formula::new(text);
-        formula.parameters = parameters.collect();
+        formula.parameters = self.constants(constants, &place);
         let state = State {
             rate: formula,
             start: start.unwrap_or_default(),

@@ -1,8 +1,9 @@
 //! Tables: points whose entries bring their units, or are plain numbers in that of their column.
 
-use serde_json::{Value, json};
+use crate::tree::Tree;
 
 use super::Walk;
+use crate::Formula;
 use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
 use crate::expression::{Misfit, Quantity, is_expression};
@@ -58,7 +59,7 @@ impl Walk<'_> {
     }
 
     /// A table that was read before.
-    pub(super) fn curve(&mut self, node: &Node, path: &str) -> Option<Value> {
+    pub(super) fn curve(&mut self, node: &Node, path: &str) -> Option<Tree> {
         let known = path.strip_prefix("tables.").and_then(|name| {
             let mut tables = self.tables.iter();
             tables.find(|(known, ..)| known == name)
@@ -68,11 +69,11 @@ impl Walk<'_> {
             // a printer looks at one alone
             None => self.points_of(node, words::object("Table"), path, [None; 2])?,
         };
-        Some(json!(table))
+        Some(Tree::of(&table))
     }
 
     /// A table over what moves, as a formula; its fault is told.
-    pub(super) fn table_of(&mut self, node: &Node, wanted: Dimension, path: &str) -> Option<Value> {
+    pub(super) fn table_of(&mut self, node: &Node, wanted: Dimension, path: &str) -> Option<Tree> {
         let of = node.get("of")?;
         let before = self.faults();
         let read = match of.as_str() {
@@ -127,7 +128,11 @@ impl Walk<'_> {
             return None;
         }
         let parameters = self.constants(constants, path);
-        Some(json!({ "formula": text, "parameters": parameters, "table": table }))
+        Some(Tree::of(&Formula {
+            formula: text,
+            parameters,
+            table: Some(table),
+        }))
     }
 
     /// How many faults there are so far.
@@ -324,4 +329,3 @@ fn wanted(found: &str, column: Column) -> Complaint {
     let place = Quantity::si(0.0, column.powers).words();
     Complaint::new("", format!("this is {found}, where {place} is wanted"))
 }
-
