@@ -16,163 +16,163 @@ pub struct Bundled {
     pub text: &'static str,
 }
 
-const fn of(name: &'static str, aliases: &'static [&'static str], text: &'static str) -> Bundled {
-    Bundled {
-        name,
-        aliases,
-        text,
-    }
-}
-
 /// All of them, in alphabetical order; a test holds this against the folder.
 pub const MODELS: &[Bundled] = &[
-    of(
-        "andrews-squeezer",
-        &["andrews", "a03"],
-        include_str!("../../../models/andrews-squeezer.json"),
-    ),
-    of(
-        "bicycle-suspension",
-        &["bicycle"],
-        include_str!("../../../models/bicycle-suspension.json"),
-    ),
-    of(
-        "cam-roller",
-        &["cam"],
-        include_str!("../../../models/cam-roller.json"),
-    ),
-    of(
-        "chebyshev",
-        &[],
-        include_str!("../../../models/chebyshev.json"),
-    ),
-    of(
-        "double-pendulum",
-        &[],
-        include_str!("../../../models/double-pendulum.json"),
-    ),
-    of(
-        "double-wishbone",
-        &["suspension"],
-        include_str!("../../../models/double-wishbone.json"),
-    ),
-    of("engine", &[], include_str!("../../../models/engine.json")),
-    of(
-        "excavator",
-        &[],
-        include_str!("../../../models/excavator.json"),
-    ),
-    of(
-        "four-bar",
-        &[],
-        include_str!("../../../models/four-bar.json"),
-    ),
-    of(
-        "four-bar-spring",
-        &[],
-        include_str!("../../../models/four-bar-spring.json"),
-    ),
-    of(
-        "geared-five-bar",
-        &[],
-        include_str!("../../../models/geared-five-bar.json"),
-    ),
-    of(
-        "geneva",
-        &["maltese-cross"],
-        include_str!("../../../models/geneva.json"),
-    ),
-    of(
-        "hoeken",
-        &["hoecken"],
-        include_str!("../../../models/hoeken.json"),
-    ),
-    of(
-        "jansen-leg",
-        &["jansen", "strandbeest"],
-        include_str!("../../../models/jansen-leg.json"),
-    ),
-    of(
-        "klann-leg",
-        &["klann"],
-        include_str!("../../../models/klann-leg.json"),
-    ),
-    of(
-        "nfourbar",
-        &["n-four-bar", "a02"],
-        include_str!("../../../models/nfourbar.json"),
-    ),
-    of(
-        "parallel-crank",
-        &[],
-        include_str!("../../../models/parallel-crank.json"),
-    ),
-    of(
-        "peaucellier",
-        &["inversor"],
-        include_str!("../../../models/peaucellier.json"),
-    ),
-    of(
-        "pendulum",
-        &["a01"],
-        include_str!("../../../models/pendulum.json"),
-    ),
-    of(
-        "quick-return",
-        &[],
-        include_str!("../../../models/quick-return.json"),
-    ),
-    of(
-        "scotch-yoke",
-        &[],
-        include_str!("../../../models/scotch-yoke.json"),
-    ),
-    of(
-        "slider-crank",
-        &[],
-        include_str!("../../../models/slider-crank.json"),
-    ),
-    of(
-        "slider-crank-clearance",
-        &["clearance"],
-        include_str!("../../../models/slider-crank-clearance.json"),
-    ),
-    of(
-        "solar-array",
-        &[],
-        include_str!("../../../models/solar-array.json"),
-    ),
-    of(
-        "stephenson-iii",
-        &[],
-        include_str!("../../../models/stephenson-iii.json"),
-    ),
-    of(
-        "toggle-clamp",
-        &["clamp"],
-        include_str!("../../../models/toggle-clamp.json"),
-    ),
-    of(
-        "walking-strandbeest",
-        &["walker"],
-        include_str!("../../../models/walking-strandbeest.json"),
-    ),
-    of(
-        "watt-i-lock",
-        &["lock"],
-        include_str!("../../../models/watt-i-lock.json"),
-    ),
-    of(
-        "watt-straight-line",
-        &["watt"],
-        include_str!("../../../models/watt-straight-line.json"),
-    ),
-    of(
-        "whitworth",
-        &[],
-        include_str!("../../../models/whitworth.json"),
-    ),
-    of("wiper", &[], include_str!("../../../models/wiper.json")),
+    Bundled {
+        name: "andrews-squeezer",
+        aliases: &["andrews", "a03"],
+        text: include_str!("../../../models/andrews-squeezer.json"),
+    },
+    Bundled {
+        name: "bicycle-suspension",
+        aliases: &["bicycle"],
+        text: include_str!("../../../models/bicycle-suspension.json"),
+    },
+    Bundled {
+        name: "cam-roller",
+        aliases: &["cam"],
+        text: include_str!("../../../models/cam-roller.json"),
+    },
+    Bundled {
+        name: "chebyshev",
+        aliases: &[],
+        text: include_str!("../../../models/chebyshev.json"),
+    },
+    Bundled {
+        name: "double-pendulum",
+        aliases: &[],
+        text: include_str!("../../../models/double-pendulum.json"),
+    },
+    Bundled {
+        name: "double-wishbone",
+        aliases: &["suspension"],
+        text: include_str!("../../../models/double-wishbone.json"),
+    },
+    Bundled {
+        name: "engine",
+        aliases: &[],
+        text: include_str!("../../../models/engine.json"),
+    },
+    Bundled {
+        name: "excavator",
+        aliases: &[],
+        text: include_str!("../../../models/excavator.json"),
+    },
+    Bundled {
+        name: "four-bar",
+        aliases: &[],
+        text: include_str!("../../../models/four-bar.json"),
+    },
+    Bundled {
+        name: "four-bar-spring",
+        aliases: &[],
+        text: include_str!("../../../models/four-bar-spring.json"),
+    },
+    Bundled {
+        name: "geared-five-bar",
+        aliases: &[],
+        text: include_str!("../../../models/geared-five-bar.json"),
+    },
+    Bundled {
+        name: "geneva",
+        aliases: &["maltese-cross"],
+        text: include_str!("../../../models/geneva.json"),
+    },
+    Bundled {
+        name: "hoeken",
+        aliases: &["hoecken"],
+        text: include_str!("../../../models/hoeken.json"),
+    },
+    Bundled {
+        name: "jansen-leg",
+        aliases: &["jansen", "strandbeest"],
+        text: include_str!("../../../models/jansen-leg.json"),
+    },
+    Bundled {
+        name: "klann-leg",
+        aliases: &["klann"],
+        text: include_str!("../../../models/klann-leg.json"),
+    },
+    Bundled {
+        name: "nfourbar",
+        aliases: &["n-four-bar", "a02"],
+        text: include_str!("../../../models/nfourbar.json"),
+    },
+    Bundled {
+        name: "parallel-crank",
+        aliases: &[],
+        text: include_str!("../../../models/parallel-crank.json"),
+    },
+    Bundled {
+        name: "peaucellier",
+        aliases: &["inversor"],
+        text: include_str!("../../../models/peaucellier.json"),
+    },
+    Bundled {
+        name: "pendulum",
+        aliases: &["a01"],
+        text: include_str!("../../../models/pendulum.json"),
+    },
+    Bundled {
+        name: "quick-return",
+        aliases: &[],
+        text: include_str!("../../../models/quick-return.json"),
+    },
+    Bundled {
+        name: "scotch-yoke",
+        aliases: &[],
+        text: include_str!("../../../models/scotch-yoke.json"),
+    },
+    Bundled {
+        name: "slider-crank",
+        aliases: &[],
+        text: include_str!("../../../models/slider-crank.json"),
+    },
+    Bundled {
+        name: "slider-crank-clearance",
+        aliases: &["clearance"],
+        text: include_str!("../../../models/slider-crank-clearance.json"),
+    },
+    Bundled {
+        name: "solar-array",
+        aliases: &[],
+        text: include_str!("../../../models/solar-array.json"),
+    },
+    Bundled {
+        name: "stephenson-iii",
+        aliases: &[],
+        text: include_str!("../../../models/stephenson-iii.json"),
+    },
+    Bundled {
+        name: "toggle-clamp",
+        aliases: &["clamp"],
+        text: include_str!("../../../models/toggle-clamp.json"),
+    },
+    Bundled {
+        name: "walking-strandbeest",
+        aliases: &["walker"],
+        text: include_str!("../../../models/walking-strandbeest.json"),
+    },
+    Bundled {
+        name: "watt-i-lock",
+        aliases: &["lock"],
+        text: include_str!("../../../models/watt-i-lock.json"),
+    },
+    Bundled {
+        name: "watt-straight-line",
+        aliases: &["watt"],
+        text: include_str!("../../../models/watt-straight-line.json"),
+    },
+    Bundled {
+        name: "whitworth",
+        aliases: &[],
+        text: include_str!("../../../models/whitworth.json"),
+    },
+    Bundled {
+        name: "wiper",
+        aliases: &[],
+        text: include_str!("../../../models/wiper.json"),
+    },
 ];
 
 /// The model that comes in any size: `nfourbar:40` has 40 loops.

@@ -15,8 +15,8 @@ fn row(path: &str) -> Option<(&'static str, &'static str)> {
     row.next().zip(row.next())
 }
 
-/// Whether the steps of a path are those of a pattern.
-fn fits(pattern: &[&str], path: &[&str]) -> bool {
+/// Whether the steps of a path are those of a pattern: `*` is any step, `**` any number of steps, `a|b` one of both.
+pub(super) fn fits(pattern: &[&str], path: &[&str]) -> bool {
     match (pattern, path) {
         (["**", rest @ ..], _) => {
             fits(rest, path)
@@ -25,10 +25,12 @@ fn fits(pattern: &[&str], path: &[&str]) -> bool {
                     .is_some_and(|(_, path)| fits(pattern, path))
         }
         ([wanted, pattern @ ..], [step, path @ ..]) => {
-            let begins = wanted
-                .strip_suffix('*')
-                .is_some_and(|word| step.starts_with(word));
-            (wanted == step || begins) && fits(pattern, path)
+            let mut words = wanted.split('|');
+            let is_it = words.any(|word| match word.strip_suffix('*') {
+                Some(beginning) => step.starts_with(beginning),
+                None => word == *step,
+            });
+            is_it && fits(pattern, path)
         }
         (rest, steps) => rest.is_empty() && steps.is_empty(),
     }

@@ -9,6 +9,8 @@ use super::cam::Cam;
 use super::clearance::{Clearance, Friction, ImpactSense};
 use super::event::Event;
 use super::tolerance::Play;
+use super::tree::word;
+use super::words;
 
 /// `body.point`, split.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
@@ -137,15 +139,44 @@ impl Latch {
     }
 }
 
+/// What only some kinds have: a kind that is not named here has none of it.
+#[doc(hidden)]
 impl JointKind {
-    /// Whether it slides along an axis.
-    pub(crate) fn slides(&self) -> bool {
-        matches!(self, JointKind::Prismatic { .. } | JointKind::Slot { .. })
+    /// Direction along which it slides, fixed in the first body.
+    pub fn guide(&self) -> Option<[f64; 2]> {
+        match self {
+            JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => Some(*axis),
+            _ => None,
+        }
+    }
+
+    /// Its clearance.
+    pub fn clearance(&self) -> Option<&Clearance> {
+        match self {
+            JointKind::Revolute { clearance, .. } => clearance.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// Friction beside that of a clearance.
+    pub fn friction(&self) -> Option<&Friction> {
+        match self {
+            JointKind::Revolute { friction, .. }
+            | JointKind::Prismatic { friction, .. }
+            | JointKind::Contact { friction, .. } => friction.as_deref(),
+            _ => None,
+        }
     }
 
     /// Whether its bodies turn against each other about its points.
     pub(crate) fn turns(&self) -> bool {
         matches!(self, JointKind::Revolute { .. } | JointKind::Slot { .. })
+    }
+
+    /// Whether a file may write a key of it.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        let kind = words::kinds("Joint").variant(&word(self));
+        kind.is_some_and(|kind| kind.field(key).is_some())
     }
 }
 

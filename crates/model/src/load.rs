@@ -205,7 +205,7 @@ pub(super) fn typed(
     undotted: &[Undotted],
 ) -> (Result<Checked, Vec<Complaint>>, Vec<Complaint>) {
     // the words are described as these types are, so nothing is left to go wrong
-    let mut model = match Model::deserialize(tree) {
+    let mut model = match Model::deserialize(&tree) {
         Ok(model) => model,
         Err(error) => {
             let message = format!("the words allow what the model does not: {error}");

@@ -189,36 +189,26 @@ fn said(keys: &mut Keys, field: Option<&Field>) {
 }
 
 /// A bound; whole numbers without a decimal point.
-fn bounded(keys: &mut Keys, bound: Bound, most_first: bool) {
+fn bounded(bound: Bound, most_first: bool) -> Keys {
     let number = |number: f64| match number.fract() {
         0.0 => json!(number as i64),
         _ => json!(number),
     };
-    match bound {
-        Bound::Any => {}
-        Bound::AtLeast(least) => {
-            keys.insert("minimum".into(), number(least));
-        }
-        Bound::Above(limit) => {
-            keys.insert("exclusiveMinimum".into(), number(limit));
+    keys(match bound {
+        Bound::Any => json!({}),
+        Bound::AtLeast(least) => json!({ "minimum": number(least) }),
+        Bound::Above(limit) => json!({ "exclusiveMinimum": number(limit) }),
+        Bound::Between(least, most) if most_first => {
+            json!({ "maximum": number(most), "minimum": number(least) })
         }
         Bound::Between(least, most) => {
-            let (least, most) = (("minimum", number(least)), ("maximum", number(most)));
-            let pair = if most_first {
-                [most, least]
-            } else {
-                [least, most]
-            };
-            keys.extend(pair.map(|(key, value)| (key.to_owned(), value)));
+            json!({ "minimum": number(least), "maximum": number(most) })
         }
         Bound::Within(limit, most) => {
-            keys.insert("exclusiveMinimum".into(), number(limit));
-            keys.insert("maximum".into(), number(most));
+            json!({ "exclusiveMinimum": number(limit), "maximum": number(most) })
         }
-        Bound::NotZero => {
-            keys.insert("not".into(), json!({ "const": 0 }));
-        }
-    }
+        Bound::NotZero => json!({ "not": { "const": 0 } }),
+    })
 }
 
 /// The name of a measure in the schema.
@@ -258,122 +248,118 @@ fn list(items: &Shape, least: usize, most: Option<usize>) -> Keys {
     keys
 }
 
-/// What stands at a place, with what its key says.
+/// What stands at a place: before and behind what its key says.
 fn at(shape: &Shape, field: Option<&Field>) -> Keys {
     let reference = |name: &str| keys(json!({ "$ref": target(name) }));
-    let mut keys = match shape {
-        Shape::Format => reference("Format"),
-        Shape::Point => reference("PointRef"),
-        Shape::Materials => reference("Elastic"),
-        Shape::Choice(choice) => reference(choice.name),
-        Shape::Object(of) | Shape::Curve(of) | Shape::State(of) => reference(of.name),
-        Shape::Tagged(tagged) => reference(tagged.name),
-        Shape::Units => places::units(),
-        Shape::Parameters => return places::parameters(field),
-        Shape::Map(of) => return map(of, field),
-        Shape::Responses => return map(&Shape::Response, field),
-        Shape::Response => places::response(),
-        Shape::Asked(asked) => places::asked(*asked),
-        Shape::Bodies => return bodies(field),
-        Shape::Text | Shape::Event => keys(json!({ "type": "string" })),
-        Shape::Name(kind) => {
-            let mut keys = keys(json!({ "type": "string" }));
-            said(&mut keys, field);
-            keys.insert("x-reference".into(), named(*kind).into());
-            return keys;
-        }
-        Shape::Quantity(measure, bound) => {
-            let mut keys = quantity(*measure);
-            said(&mut keys, field);
-            bounded(&mut keys, *bound, true);
-            return keys;
-        }
-        Shape::Number(bound) => return number("number", true, *bound, field),
-        Shape::Coefficient(bound) => return number("number", false, *bound, field),
-        Shape::Count(least, most) => {
-            let bound = Bound::Between(*least as f64, *most as f64);
-            return number("integer", false, bound, field);
-        }
-        Shape::ContactStiffness => {
-            let mut keys = keys(json!({
+    let (mut keys, behind) = match shape {
+        Shape::Name(kind) => (
+            keys(json!({ "type": "string" })),
+            keys(json!({ "x-reference": named(*kind) })),
+        ),
+        Shape::Quantity(measure, bound) => (quantity(*measure), bounded(*bound, true)),
+        Shape::Number(bound) => number("number", true, *bound),
+        Shape::Coefficient(bound) => number("number", false, *bound),
+        Shape::Count(least, most) => number(
+            "integer",
+            false,
+            Bound::Between(*least as f64, *most as f64),
+        ),
+        Shape::ContactStiffness => (
+            keys(json!({
                 "type": ["number", "string"], "pattern": QUANTITY_PATTERN, "x-plain": "number",
                 "x-linear": measure_name(Measure::LinearStiffness)
-            }));
-            said(&mut keys, field);
-            bounded(&mut keys, Bound::Above(0.0), true);
-            return keys;
+            })),
+            bounded(Bound::Above(0.0), true),
+        ),
+        Shape::Alike(bound) => (places::value(), bounded(*bound, true)),
+        Shape::Direction => (
+            list(&Shape::Number(Bound::Any), 2, Some(2)),
+            keys(json!({ "not": { "const": [0, 0] } })),
+        ),
+        Shape::Parameters => places::parameters(),
+        Shape::Map(of) => map(of),
+        Shape::Responses => map(&Shape::Response),
+        Shape::Bodies => bodies(),
+        shape => {
+            let own = match shape {
+                Shape::Format => reference("Format"),
+                Shape::Point => reference("PointRef"),
+                Shape::Materials => reference("Elastic"),
+                Shape::Choice(choice) => reference(choice.name),
+                Shape::Object(of) | Shape::Curve(of) | Shape::State(of) => reference(of.name),
+                Shape::Tagged(tagged) => reference(tagged.name),
+                Shape::Units => places::units(),
+                Shape::Response => places::response(),
+                Shape::Asked(asked) => places::asked(*asked),
+                Shape::Range(measure, bound) | Shape::PerAxis(measure, bound) => {
+                    places::range(*measure, *bound)
+                }
+                Shape::End(measure) => places::end(&quantity(*measure)),
+                Shape::Place => places::place(),
+                Shape::Limit | Shape::Nominal | Shape::Entry => places::value(),
+                Shape::Deviations => places::deviations(),
+                Shape::Pair(of) => list(of, 2, Some(2)),
+                Shape::List(of, least) => list(of, *least, None),
+                Shape::Table => {
+                    let pair = [Measure::Of(Dimension::Time), Measure::Driven(0)].map(quantity);
+                    places::points(&json!({ "prefixItems": pair, "items": false }))
+                }
+                Shape::Entries => places::points(&json!({ "items": places::value() })),
+                Shape::Varying(dimension) => varying(*dimension, &["Motion"]),
+                Shape::Formula(dimension) => varying(*dimension, &["Motion", "TableOf"]),
+                _ => keys(json!({ "type": "string" })),
+            };
+            (own, Keys::new())
         }
-        Shape::Range(measure, bound) | Shape::PerAxis(measure, bound) => {
-            places::range(*measure, *bound)
-        }
-        Shape::End(measure) => places::end(&quantity(*measure)),
-        Shape::Place => places::place(),
-        Shape::Limit | Shape::Nominal | Shape::Entry => places::value(),
-        Shape::Deviations => places::deviations(),
-        Shape::Alike(bound) => {
-            let mut keys = places::value();
-            said(&mut keys, field);
-            bounded(&mut keys, *bound, true);
-            return keys;
-        }
-        Shape::Direction => return places::direction(field),
-        Shape::Pair(of) => list(of, 2, Some(2)),
-        Shape::List(of, least) => list(of, *least, None),
-        Shape::Table => {
-            let time = quantity(Measure::Of(Dimension::Time));
-            places::points(
-                &json!({ "prefixItems": [time, quantity(Measure::Driven(0))], "items": false }),
-            )
-        }
-        Shape::Entries => places::points(&json!({ "items": places::value() })),
-        Shape::Varying(dimension) => keys(json!({
-            "anyOf": [quantity(Measure::Of(*dimension)), reference("Motion")],
-            "x-driven": dimension.name()
-        })),
-        Shape::Formula(dimension) => keys(json!({
-            "anyOf": [quantity(Measure::Of(*dimension)), reference("Motion"), reference("TableOf")],
-            "x-driven": dimension.name()
-        })),
     };
     said(&mut keys, field);
+    keys.extend(behind);
     keys
+}
+
+/// A quantity, or what gives one.
+fn varying(dimension: Dimension, others: &[&str]) -> Keys {
+    let others = others
+        .iter()
+        .map(|name| keys(json!({ "$ref": target(name) })));
+    let all: Vec<Keys> = std::iter::once(quantity(Measure::Of(dimension)))
+        .chain(others)
+        .collect();
+    keys(json!({ "anyOf": all, "x-driven": dimension.name() }))
 }
 
 /// A number without dimension, or an expression.
-fn number(kind: &str, is_double: bool, bound: Bound, field: Option<&Field>) -> Keys {
-    let mut keys = keys(json!({ "type": [kind, "string"] }));
+fn number(kind: &str, is_double: bool, bound: Bound) -> (Keys, Keys) {
+    let mut number = keys(json!({ "type": [kind, "string"] }));
     if is_double {
-        keys.insert("format".into(), "double".into());
+        number.insert("format".into(), "double".into());
     }
-    said(&mut keys, field);
-    bounded(&mut keys, bound, !is_double);
-    keys.insert("pattern".into(), EXPRESSION_PATTERN.into());
-    keys.insert("x-plain".into(), kind.into());
-    keys
+    let mut behind = bounded(bound, !is_double);
+    behind.extend(keys(
+        json!({ "pattern": EXPRESSION_PATTERN, "x-plain": kind }),
+    ));
+    (number, behind)
 }
 
-fn map(of: &Shape, field: Option<&Field>) -> Keys {
+fn map(of: &Shape) -> (Keys, Keys) {
     let each = at(of, None);
-    let mut keys = keys(json!({ "type": "object", "additionalProperties": each }));
-    said(&mut keys, field);
-    keys.insert("propertyNames".into(), json!({ "pattern": NAME_PATTERN }));
-    keys.insert(
-        "properties".into(),
-        json!({ "note": { "anyOf": [note(), each] } }),
-    );
-    keys
+    let behind = json!({
+        "propertyNames": { "pattern": NAME_PATTERN },
+        "properties": { "note": { "anyOf": [note(), each] } }
+    });
+    let map = json!({ "type": "object", "additionalProperties": each });
+    (keys(map), keys(behind))
 }
 
 /// `bodies`: `ground` is one of its own kind.
-fn bodies(field: Option<&Field>) -> Keys {
+fn bodies() -> (Keys, Keys) {
     let body = json!({ "$ref": target("Body") });
-    let mut keys = keys(json!({
+    let all = json!({
         "type": "object",
         "properties": { "ground": { "$ref": target("Ground") }, "note": { "anyOf": [note(), body] } },
         "additionalProperties": body,
         "minProperties": 1
-    }));
-    said(&mut keys, field);
-    keys.insert("propertyNames".into(), json!({ "pattern": NAME_PATTERN }));
-    keys
+    });
+    let behind = json!({ "propertyNames": { "pattern": NAME_PATTERN } });
+    (keys(all), keys(behind))
 }

@@ -88,24 +88,27 @@ pub fn word<T: Serialize + ?Sized>(choice: &T) -> String {
     }
 }
 
-impl<'de> IntoDeserializer<'de, Unwritten> for Tree {
-    type Deserializer = Tree;
-    fn into_deserializer(self) -> Tree {
+impl<'de> IntoDeserializer<'de, Unwritten> for &'de Tree {
+    type Deserializer = &'de Tree;
+    fn into_deserializer(self) -> &'de Tree {
         self
     }
 }
 
 /// A part of a model is what its tree says.
-impl<'de> Deserializer<'de> for Tree {
+impl<'de> Deserializer<'de> for &'de Tree {
     type Error = Unwritten;
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unwritten> {
         match self {
             Tree::Null => visitor.visit_unit(),
-            Tree::Number(number) => visitor.visit_f64(number),
-            Tree::Count(count) => visitor.visit_u64(count),
-            Tree::Text(text) => visitor.visit_string(text),
-            Tree::List(items) => visitor.visit_seq(SeqDeserializer::new(items.into_iter())),
-            Tree::Map(members) => visitor.visit_map(MapDeserializer::new(members.into_iter())),
+            Tree::Number(number) => visitor.visit_f64(*number),
+            Tree::Count(count) => visitor.visit_u64(*count),
+            Tree::Text(text) => visitor.visit_borrowed_str(text),
+            Tree::List(items) => visitor.visit_seq(SeqDeserializer::new(items.iter())),
+            Tree::Map(members) => {
+                let members = members.iter().map(|(key, value)| (key.as_str(), value));
+                visitor.visit_map(MapDeserializer::new(members))
+            }
         }
     }
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Unwritten> {

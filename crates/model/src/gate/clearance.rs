@@ -15,23 +15,7 @@ const PEREIRA: [f64; 2] = [5e-6, 10e-3];
 
 /// What the clearance and the friction of a joint need.
 pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
-    let (clearance, friction, pin) = match &joint.kind {
-        JointKind::Revolute {
-            clearance,
-            friction,
-            pin_radius,
-        } => (clearance.as_deref(), friction.as_deref(), Some(pin_radius)),
-        JointKind::Prismatic { friction, .. } | JointKind::Contact { friction, .. } => {
-            (None, friction.as_deref(), None)
-        }
-        JointKind::Slot { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_)
-        | JointKind::Fixed { .. } => return,
-    };
+    let (clearance, friction) = (joint.kind.clearance(), joint.kind.friction());
     if let Some(clearance) = clearance {
         of_clearance(rules, clearance, &format!("{path}.clearance"));
     }
@@ -46,9 +30,12 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
     }
     words.friction(Some(friction));
     let rubs = friction.law != FrictionLaw::None || words.is_hole("friction.law");
-    if let Some(radius) = pin.filter(|_| rubs && !words.is_hole("type")) {
+    if let JointKind::Revolute { pin_radius, .. } = &joint.kind
+        && rubs
+        && !words.is_hole("type")
+    {
         let hint = "the torque of the friction is that of its force on the pin's surface";
-        words.need("pin_radius", radius.is_some(), hint);
+        words.need("pin_radius", pin_radius.is_some(), hint);
     }
 }
 

@@ -98,7 +98,7 @@ fn length(rules: &mut Rules<'_>, path: &str, between: &[PointRef; 2]) -> Option<
 fn translation(rules: &mut Rules<'_>, path: &str, joint: &str) -> Option<String> {
     let found = rules.model.joints.get(joint);
     let found = found.filter(|_| !rules.holes.has(&format!("joints.{joint}.type")));
-    match found.filter(|found| !found.kind.slides()) {
+    match found.filter(|found| found.kind.guide().is_none()) {
         Some(found) => {
             let kind = word(&found.kind);
             let message = format!("this joint is {kind}, neither prismatic nor slot");

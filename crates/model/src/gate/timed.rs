@@ -4,7 +4,7 @@ use super::Rules;
 use crate::error::Complaint;
 use crate::event::Event;
 use crate::response::Catalogue;
-use crate::{AnalysisKind, Joint, JointKind, Timed};
+use crate::{AnalysisKind, Joint, Timed};
 
 /// The keys under which something of a joint holds for a time.
 fn of(joint: &Joint) -> [(&'static str, Option<&Timed>); 2] {
@@ -47,13 +47,13 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
         }
         if key == "active" {
             whole(rules, joint, &at, has_end);
-        } else if !joint.kind.turns() && !joint.kind.slides() {
+        } else if !joint.kind.has("lock") {
             let hint = "revolute and prismatic joints and slots can";
             rules.complain(&at, "this joint can't be locked", hint);
         }
     }
     let has_one_way = joint.stops.one_way.is_some();
-    if has_one_way && !matches!(joint.kind, JointKind::Revolute { .. }) {
+    if has_one_way && !joint.kind.has("one_way") {
         let at = format!("{path}.one_way");
         rules.complain(at, "only a revolute joint turns", "leave it out");
     }
@@ -61,28 +61,14 @@ pub(super) fn joint(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
 
 /// What a joint that may be open can't have.
 fn whole(rules: &mut Rules<'_>, joint: &Joint, at: &str, has_end: bool) {
-    let (clearance, friction) = match &joint.kind {
-        JointKind::Revolute {
-            clearance,
-            friction,
-            ..
-        } => (clearance.is_some(), friction.is_some()),
-        JointKind::Prismatic { friction, .. } => (false, friction.is_some()),
-        JointKind::Slot { .. } | JointKind::Fixed { .. } => (false, false),
-        JointKind::Gear { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_)
-        | JointKind::Contact { .. } => {
-            let hint = "revolute, prismatic, slot and fixed joints can";
-            return rules.complain(at, "this joint can't be open", hint);
-        }
-    };
+    if !joint.kind.has("active") {
+        let hint = "revolute, prismatic, slot and fixed joints can";
+        return rules.complain(at, "this joint can't be open", hint);
+    }
     let stops = &joint.stops;
     let given = [
-        ("clearance", clearance),
-        ("friction", friction),
+        ("clearance", joint.kind.clearance().is_some()),
+        ("friction", joint.kind.friction().is_some()),
         ("limits", stops.limits.is_some()),
         ("one_way", stops.one_way.is_some()),
         ("lock", stops.lock.is_some()),

@@ -33,7 +33,7 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        let Ok(response) = Response::deserialize(tree.clone()) else {
+        let Ok(response) = Response::deserialize(&tree) else {
             return plain(&tree);
         };
         let text = self_contained(&response.value, &response.parameters);
@@ -71,7 +71,7 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        let Ok(mut formula) = Formula::deserialize(tree.clone()) else {
+        let Ok(mut formula) = Formula::deserialize(&tree) else {
             return plain(&tree);
         };
         let text = self_contained(&formula.formula, &formula.parameters);
@@ -94,7 +94,7 @@ impl Printer<'_> {
                 return node.to_value();
             }
         }
-        match Event::deserialize(tree.clone()) {
+        match Event::deserialize(&tree) {
             Ok(event) => event.self_contained().into(),
             Err(_) => plain(&tree),
         }
@@ -119,7 +119,7 @@ impl Printer<'_> {
         {
             return node.to_value();
         }
-        let Ok(state) = State::deserialize(tree.clone()) else {
+        let Ok(state) = State::deserialize(&tree) else {
             return plain(&tree);
         };
         let rate = self_contained(&state.rate.formula, &state.rate.parameters);

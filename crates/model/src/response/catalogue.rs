@@ -61,7 +61,7 @@ impl Catalogue {
         for (name, joint) in &model.joints {
             catalogue.joints.push(Joint {
                 name: name.clone(),
-                slides: joint.kind.slides(),
+                slides: joint.kind.guide().is_some(),
                 turns: joint.kind.turns(),
                 touches: matches!(joint.kind, JointKind::Cam(_)),
             });

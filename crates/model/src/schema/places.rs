@@ -2,9 +2,9 @@
 
 use serde_json::json;
 
-use super::{Keys, QUANTITY_PATTERN, at, keys, list, note, said, target};
+use super::{Keys, QUANTITY_PATTERN, at, keys, list, note, target};
 use crate::dimension::Dimension;
-use crate::shape::{Asked, Bound, Field, Measure, Shape};
+use crate::shape::{Asked, Bound, Measure, Shape};
 use crate::words::LENGTH;
 
 /// Name of a parameter.
@@ -45,31 +45,19 @@ pub fn points(entries: &serde_json::Value) -> Keys {
     keys(json!({ "type": "array", "items": point, "minItems": 2 }))
 }
 
-/// Two numbers, not both zero.
-pub fn direction(field: Option<&Field>) -> Keys {
-    let mut keys = list(&Shape::Number(Bound::Any), 2, Some(2));
-    said(&mut keys, field);
-    keys.insert("not".into(), json!({ "const": [0, 0] }));
-    keys
-}
-
 /// The parameters, alone or with tolerances.
-pub fn parameters(field: Option<&Field>) -> Keys {
+pub fn parameters() -> (Keys, Keys) {
     let mut plain = keys(json!({
         "description": "A plain number, text with a unit, or \"=\" and an expression of other parameters."
     }));
     plain.extend(value());
     let value = json!({ "anyOf": [plain, { "$ref": target("Parameter") }] });
-    let mut keys = keys(json!({
+    let behind = json!({ "properties": { "note": { "anyOf": [note(), value] } } });
+    let all = json!({
         "type": "object", "propertyNames": { "pattern": PARAMETER_PATTERN }, "x-parameters": true,
         "additionalProperties": value
-    }));
-    said(&mut keys, field);
-    keys.insert(
-        "properties".into(),
-        json!({ "note": { "anyOf": [note(), value] } }),
-    );
-    keys
+    });
+    (keys(all), keys(behind))
 }
 
 /// A number, or two of it: the least and the greatest one, or one along each axis.

@@ -1,28 +1,13 @@
 //! Joints with clearance, by the model of it.
 
-use linkdyn_model::{ClearanceModel, JointKind, Model};
+use linkdyn_model::{ClearanceModel, Model};
 
 /// Joints whose clearance is modelled.
 pub fn clearances(model: &Model) -> impl Iterator<Item = (&str, ClearanceModel)> {
-    model
-        .joints
-        .iter()
-        .filter_map(|(name, joint)| match &joint.kind {
-            JointKind::Revolute {
-                clearance: Some(clearance),
-                ..
-            } if clearance.model != ClearanceModel::Ideal => Some((name.as_str(), clearance.model)),
-            JointKind::Revolute { .. }
-            | JointKind::Prismatic { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => None,
-        })
+    model.joints.iter().filter_map(|(name, joint)| {
+        let model = joint.kind.clearance()?.model;
+        (model != ClearanceModel::Ideal).then_some((name.as_str(), model))
+    })
 }
 
 /// Whether journals move freely in their bearings with this model.

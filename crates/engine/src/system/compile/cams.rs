@@ -176,14 +176,7 @@ impl Compiler<'_> {
                     let pivot = self.marker(&joint.between[own]);
                     Some(Way::Swing(pivot, bodies[1 - own]))
                 }
-                JointKind::Slot { .. }
-                | JointKind::Gear { .. }
-                | JointKind::Cam(_)
-                | JointKind::Rack { .. }
-                | JointKind::Belt { .. }
-                | JointKind::Bushing(_)
-                | JointKind::Fixed { .. }
-                | JointKind::Contact { .. } => None,
+                _ => None,
             }
         };
         let mut ways = self.model.joints.values().filter_map(way);

@@ -41,20 +41,9 @@ impl Compiler<'_> {
                 }
                 DriverKind::Translation { joint } => {
                     let joint = &self.model.joints[joint];
-                    let axis = match &joint.kind {
-                        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => {
-                            unit(Vec2::from(*axis))
-                        }
-                        // The loader lets translations drive prismatic joints and slots only.
-                        JointKind::Revolute { .. }
-                        | JointKind::Gear { .. }
-                        | JointKind::Fixed { .. }
-                        | JointKind::Contact { .. }
-                        | JointKind::Cam(_)
-                        | JointKind::Rack { .. }
-                        | JointKind::Belt { .. }
-                        | JointKind::Bushing(_) => Vec2::x(),
-                    };
+                    // The loader lets translations drive joints that slide only.
+                    let axis = joint.kind.guide();
+                    let axis = axis.map_or(Vec2::x(), |axis| unit(Vec2::from(axis)));
                     let (first, second) = (
                         self.marker(&joint.between[0]),
                         self.marker(&joint.between[1]),

@@ -1,6 +1,6 @@
 //! Joints: the constraints of the ideal ones, journals in bearings, friction.
 
-use super::needs::{bearing, clearance};
+use super::needs::bearing;
 use super::{Compiler, roles};
 use crate::element::belt::Belt;
 use crate::element::bushing::Bushing;
@@ -72,7 +72,7 @@ impl Compiler<'_> {
                 extras.clearance = made.link;
                 extras.contact = made.contact;
                 extras.cam = made.cam;
-                extras.bearing = clearance(&joint.kind).map(bearing);
+                extras.bearing = joint.kind.clearance().map(bearing);
                 extras.drawn = self.drawn_slot(joint);
                 extras.friction = friction;
                 extras.belt = made.belt;

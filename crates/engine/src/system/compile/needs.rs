@@ -36,22 +36,6 @@ impl<'a> Joints<'a> {
     }
 }
 
-/// The clearance of a joint, where it has one.
-pub(super) fn clearance(kind: &JointKind) -> Option<&linkdyn_model::Clearance> {
-    match kind {
-        JointKind::Revolute { clearance, .. } => clearance.as_deref(),
-        JointKind::Prismatic { .. }
-        | JointKind::Slot { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Fixed { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_) => None,
-    }
-}
-
 /// Surfaces of the joints whose clearance is modelled by contact.
 fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'a str, Surface> {
     let mut surfaces = HashMap::new();
@@ -63,7 +47,7 @@ fn surfaces<'a>(model: &'a Model, complaints: &mut Vec<Complaint>) -> HashMap<&'
             Some(Err(complaint)) => complaints.push(complaint),
             None => {}
         }
-        let Some(clearance) = clearance(&joint.kind) else {
+        let Some(clearance) = joint.kind.clearance() else {
             continue;
         };
         let path = format!("joints.{name}.clearance");
@@ -126,26 +110,12 @@ fn frictions<'a>(
     for (name, joint) in &model.joints {
         let path = format!("joints.{name}");
         let (words, pin) = match &joint.kind {
-            JointKind::Revolute {
-                friction: Some(words),
-                pin_radius,
-                ..
-            } => (words, Some(*pin_radius)),
-            JointKind::Prismatic {
-                friction: Some(words),
-                ..
-            } => (words, None),
-            JointKind::Revolute { .. }
-            | JointKind::Prismatic { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => continue,
+            JointKind::Revolute { pin_radius, .. } => (joint.kind.friction(), Some(*pin_radius)),
+            // that of a contact belongs to its surface
+            JointKind::Contact { .. } => continue,
+            kind => (kind.friction(), None),
         };
+        let Some(words) = words else { continue };
         let radius = pin.map_or(Ok(0.0), |radius| {
             need(&path, "pin_radius", radius, |radius| radius > 0.0)
         });
@@ -180,7 +150,7 @@ pub(super) fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
     let mut complaints = Vec::new();
     let mut linked = None;
     for (name, joint) in &model.joints {
-        let Some(clearance) = clearance(&joint.kind) else {
+        let Some(clearance) = joint.kind.clearance() else {
             continue;
         };
         match clearance.model {

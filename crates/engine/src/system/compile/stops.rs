@@ -146,19 +146,10 @@ impl Compiler<'_> {
 
 /// What of a joint has ends.
 fn way(kind: &JointKind) -> Way {
-    match kind {
-        JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => {
-            Way::Along(unit(Vec2::from(*axis)))
-        }
-        // The gate lets turning and sliding joints alone have stops.
-        JointKind::Revolute { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Fixed { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_) => Way::Turn,
+    // The gate lets turning and sliding joints alone have stops.
+    match kind.guide() {
+        Some(axis) => Way::Along(unit(Vec2::from(axis))),
+        None => Way::Turn,
     }
 }
 

@@ -4,16 +4,46 @@
 //! that reading would is not believed but tried, at the values of the file and beside them; a file that says more than
 //! the numbers known here has no substitution, and is read again for each set of values.
 
-mod number;
 #[cfg(test)]
 mod tests;
 
-use crate::Parameter;
+use std::cmp::Ordering;
+
+use serde::Deserialize;
+
+use crate::examples::fits;
 use crate::expression::{Chain, Given, Program, Room};
 use crate::gate::Checked;
 use crate::source::Source;
+use crate::tree::Tree;
 use crate::walk::recorded;
-use number::{class, number, steps};
+use crate::{Model, Parameter};
+
+/// Places of numbers on which there is no rule but one on their sign: of others only reading can tell what is wrong.
+const KNOWN: [&str; 22] = [
+    "gravity.*",
+    "bodies.*.mass",
+    "bodies.*.inertia",
+    "bodies.*.com.*",
+    "bodies.*.points.**",
+    "bodies.*.pose.**",
+    "joints.*.axis.*",
+    "joints.*.radii.*",
+    "joints.*.face.*",
+    "joints.*.radius|offset|angle|ratio|pretension|roller_radius|pin_radius",
+    "joints.*.torsional_stiffness|torsional_damping|free_angle",
+    "joints.*.clearance.radius|bearing_radius|axial_length",
+    "joints.*.active|lock.release",
+    "**.parameters.*.value",
+    "drivers|forces.**.coefficients.*",
+    "drivers|forces.**.start|rise|end|begin|duration|dwell",
+    "drivers|forces.**.offset|amplitude|frequency|phase|velocity|acceleration|jerk",
+    "forces.*.stiffness|damping|free_length|free_angle|value|force",
+    "forces.*.vector.*",
+    "forces.**.table.points.*.1",
+    "tables.*.points.*.1",
+    "states.*.start",
+];
 
 /// What puts numbers into a model.
 #[derive(Debug, Clone)]
@@ -22,6 +52,8 @@ pub struct Substitution {
     /// The parameters that are given, by their index.
     inputs: Vec<usize>,
     chain: Chain,
+    /// Parts of the model that numbers are put into, in SI.
+    parts: Vec<Part>,
     leaves: Vec<Leaf>,
     /// Constants of responses.
     constants: Vec<Constant>,
@@ -32,6 +64,9 @@ pub struct Substitution {
 #[derive(Debug, Clone)]
 struct Leaf {
     path: String,
+    /// The number of its part, and the steps from there.
+    part: usize,
+    steps: Vec<String>,
     program: Program,
     /// The SI value of a one there.
     factor: f64,
@@ -39,6 +74,91 @@ struct Leaf {
     nominal: f64,
     /// Whether it is a place, on whose sign there is no rule.
     is_place: bool,
+}
+
+/// A part of the model: a body, a joint, a driver and the like.
+#[derive(Debug, Clone)]
+struct Part {
+    map: String,
+    name: String,
+    tree: Tree,
+}
+
+impl Part {
+    /// Of a whole model.
+    fn of(model: &Tree, map: &str, name: &str) -> Option<Part> {
+        let tree = match map {
+            "gravity" => model.get(map)?,
+            map => model.get(map)?.get(name)?,
+        };
+        Some(Part {
+            map: map.to_owned(),
+            name: name.to_owned(),
+            tree: tree.clone(),
+        })
+    }
+
+    /// Makes the part of the model what a tree says.
+    fn put(&self, tree: &Tree, model: &mut Model) -> Option<()> {
+        fn set<'t, T: Deserialize<'t>>(place: Option<&mut T>, tree: &'t Tree) -> Option<()> {
+            *place? = T::deserialize(tree).ok()?;
+            Some(())
+        }
+        match self.map.as_str() {
+            "gravity" => set(Some(&mut model.gravity), tree),
+            "bodies" => set(model.bodies.get_mut(&self.name), tree),
+            "joints" => set(model.joints.get_mut(&self.name), tree),
+            "drivers" => set(model.drivers.get_mut(&self.name), tree),
+            "forces" => set(model.forces.get_mut(&self.name), tree),
+            "tables" => set(model.tables.get_mut(&self.name), tree),
+            "states" => set(model.states.get_mut(&self.name), tree),
+            _ => None,
+        }
+    }
+}
+
+/// Where the number at a path of the file stands in the tree of its part; none where that leads nowhere.
+fn steps_to(mut tree: &Tree, path: &[&str]) -> Option<Vec<String>> {
+    let mut steps = Vec::new();
+    let mut enter = |tree: &mut &Tree, step: &str| {
+        *tree = match *tree {
+            Tree::List(items) => items.get(step.parse::<usize>().ok()?)?,
+            map => map.get(step)?,
+        };
+        steps.push(step.to_owned());
+        Some(())
+    };
+    for step in path {
+        // the points of a formula stand in its table
+        if tree.get("formula").is_some() && *step != "parameters" {
+            enter(&mut tree, "table")?;
+        }
+        enter(&mut tree, step)?;
+    }
+    // a parameter has its dimension beside it
+    if tree.get("powers").is_some() {
+        enter(&mut tree, "value")?;
+    }
+    tree.number().map(|_| steps)
+}
+
+fn number<'t>(tree: &'t mut Tree, steps: &[String]) -> Option<&'t mut f64> {
+    let found = steps.iter().try_fold(tree, |tree, step| match tree {
+        Tree::Map(members) => members.get_mut(step),
+        Tree::List(items) => items.get_mut(step.parse::<usize>().ok()?),
+        Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) => None,
+    });
+    match found? {
+        Tree::Number(number) => Some(number),
+        Tree::Null | Tree::Count(_) | Tree::Text(_) | Tree::List(_) | Tree::Map(_) => None,
+    }
+}
+
+/// What rules ask of a number: its sign, and that it is no number of another world.
+fn class(value: f64) -> Option<Ordering> {
+    const LARGE: f64 = 1e100;
+    // −0 is no less than 0
+    (value.abs() < LARGE).then(|| value.partial_cmp(&0.0))?
 }
 
 /// A parameter that a response names, by their indexes.
@@ -49,16 +169,25 @@ struct Constant {
     parameter: usize,
 }
 
+/// The steps of a path, `bodies.crank.points.A[0]`: names and indexes.
+fn split(path: &str) -> Vec<&str> {
+    let parts = path.split(['.', '[']);
+    parts
+        .map(|part| part.strip_suffix(']').unwrap_or(part))
+        .collect()
+}
+
 /// Whether a path is that of a point of a body, or of where it is drawn.
-fn is_place(path: &str) -> bool {
-    let mut steps = steps(path);
-    steps.next() == Some("bodies") && matches!(steps.nth(1), Some("points" | "pose"))
+fn is_place(path: &[&str]) -> bool {
+    matches!(path, ["bodies", _, "points" | "pose", ..])
 }
 
 /// A model that numbers are put into, of one thread.
 #[derive(Debug, Clone)]
 pub struct Substituted {
     model: Checked,
+    /// The parts as trees.
+    trees: Vec<Tree>,
     room: Room,
 }
 
@@ -76,19 +205,41 @@ impl Substitution {
     ) -> Option<Self> {
         let (parameters, recorded) = recorded(source);
         let inputs = names.iter().map(|name| parameters.index(name));
-        let mut model = nominal.clone().into_model();
+        let whole = Tree::of::<Model>(nominal);
+        let mut parts: Vec<Part> = Vec::new();
         let mut leaves = Vec::new();
         for one in recorded {
-            if let Some(program) = parameters.program(&one.text) {
-                let nominal = *number(&mut model, &mut steps(&one.path))?;
-                leaves.push(Leaf {
-                    nominal,
-                    is_place: is_place(&one.path),
-                    path: one.path,
-                    program,
-                    factor: one.factor,
-                });
+            let Some(program) = parameters.program(&one.text) else {
+                continue;
+            };
+            let path = split(&one.path);
+            let beginning = if path[0] == "gravity" { 1 } else { 2 };
+            let (of, rest) = path.split_at_checked(beginning)?;
+            let (map, name) = (of[0], of.get(1).copied().unwrap_or_default());
+            let known = parts
+                .iter()
+                .position(|part| part.map == map && part.name == name);
+            let part = known.unwrap_or(parts.len());
+            if known.is_none() {
+                parts.push(Part::of(&whole, map, name)?);
             }
+            let steps = steps_to(&parts[part].tree, rest)?;
+            let place: Vec<&str> = { of.iter().copied() }
+                .chain(steps.iter().map(String::as_str))
+                .collect();
+            let mut known = KNOWN
+                .iter()
+                .map(|pattern| pattern.split('.').collect::<Vec<_>>());
+            known.find(|pattern| fits(pattern, &place))?;
+            leaves.push(Leaf {
+                nominal: *number(&mut parts[part].tree, &steps)?,
+                is_place: is_place(&path),
+                path: one.path,
+                part,
+                steps,
+                program,
+                factor: one.factor,
+            });
         }
         let mut constants = Vec::new();
         for (response, own) in nominal.responses.values().enumerate() {
@@ -104,6 +255,7 @@ impl Substitution {
             given,
             inputs: inputs.collect::<Option<_>>()?,
             chain: parameters.chain()?,
+            parts,
             leaves,
             constants,
             nominal: nominal.clone(),
@@ -151,6 +303,7 @@ impl Substitution {
     pub fn begin(&self) -> Substituted {
         Substituted {
             model: self.nominal.clone(),
+            trees: self.parts.iter().map(|part| part.tree.clone()).collect(),
             room: Room::default(),
         }
     }
@@ -176,11 +329,10 @@ impl Substitution {
     /// The model with values, or deviations, in the order of the names; none where only reading can tell what is wrong
     /// with them.
     pub fn put<'p>(&self, given: &[f64], place: &'p mut Substituted) -> Option<&'p Checked> {
-        let Substituted { model, room } = place;
+        let Substituted { model, trees, room } = place;
         if !self.chain.evaluate(self.given, &self.inputs, given, room) {
             return None;
         }
-        let numbers = model.numbers();
         for leaf in &self.leaves {
             let value = leaf.program.sound_value(&room.values, &mut room.stack) * leaf.factor;
             // Rules on a number are on its sign: in the class of the nominal one it keeps them.
@@ -192,7 +344,11 @@ impl Substitution {
             if !keeps {
                 return None;
             }
-            *number(numbers, &mut steps(&leaf.path))? = value;
+            *number(&mut trees[leaf.part], &leaf.steps)? = value;
+        }
+        let numbers = model.numbers();
+        for (part, tree) in self.parts.iter().zip(trees) {
+            part.put(tree, numbers)?;
         }
         for one in &self.constants {
             numbers.responses[one.response].parameters[one.constant].value =
