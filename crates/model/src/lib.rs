@@ -63,13 +63,7 @@ pub use accuracy::{Accuracy, AccuracyOutput, At, Levels, Measured, Pins};
 pub use analysis::{
     Accelerations, Analysis, AnalysisKind, OutputsAt, Sample, Solver, Transmission,
 };
-#[doc(hidden)]
-pub use beside::Beside;
 pub use body::{Body, Initial, Pose};
-#[doc(hidden)]
-pub use bushing::{Bushing, PerAxis};
-#[doc(hidden)]
-pub use cam::{Cam, CamSegment, Follower, Profile};
 pub use carrier::Carrier;
 pub use clearance::{
     Clearance, ClearanceModel, Elastic, Friction, FrictionLaw, Impact, ImpactSense, Material,
@@ -78,40 +72,38 @@ pub use clearance::{
 pub use derive::Dependence;
 pub use dimension::{Dimension, Powers};
 pub use driver::{Driver, DriverKind};
-#[doc(hidden)]
-pub use expression::Given;
 pub use expression::{Derivatives, Interval, Leaf, Parameter};
 pub use fit::Fit;
-#[doc(hidden)]
-pub use force::Stroke;
 pub use force::{Force, ForceKind, Frame, Value};
-#[doc(hidden)]
-pub use formula::Formula;
 pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind, PointRef};
-#[doc(hidden)]
-pub use joint::{Latch, OneWay, Stops, Strands, Timed};
 pub use load::{Loaded, load, load_file};
-#[doc(hidden)]
-pub use load::{load_beside, read_file};
 pub use motion::Motion;
-#[doc(hidden)]
-pub use motion::{Interpolation, Paced, Rise, RiseLaw, Segment};
 pub use optimise::Optimise;
 pub use response::Response;
 pub use schema::schema;
 pub use source::Source;
-#[doc(hidden)]
-pub use state::State;
 pub use study::Study;
-#[doc(hidden)]
-pub use substitution::{Substituted, Substitution};
 pub use suggest::nearest;
-#[doc(hidden)]
-pub use table::Table;
 pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
+
+#[doc(hidden)]
+pub use self::{
+    beside::Beside,
+    bushing::{Bushing, PerAxis},
+    cam::{Cam, CamSegment, Follower, Profile},
+    expression::Given,
+    force::Stroke,
+    formula::Formula,
+    joint::{Latch, OneWay, Stops, Strands, Timed},
+    load::{load_beside, read_file},
+    motion::{Interpolation, Paced, Rise, RiseLaw, Segment},
+    state::State,
+    substitution::{Substituted, Substitution},
+    table::Table,
+};
 
 use crate::display::DisplayUnits;
 use indexmap::IndexMap;

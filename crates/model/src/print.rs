@@ -3,9 +3,8 @@
 //! Order of keys, units, parameters, expressions and remarks are the file's. A value that was changed is written in SI,
 //! as a plain number where the file's unit is that of SI, else with its unit; what is read of it is the same double.
 
-mod optimise;
 mod places;
-mod responses;
+mod whole;
 
 use std::collections::HashMap;
 
@@ -17,7 +16,7 @@ use crate::dimension::Dimension;
 use crate::expression::Parameters;
 use crate::node::{Kind, Node, members};
 use crate::response::Catalogue;
-use crate::shape::{Default, Drives, Field, Measure, Need, Object, Shape, Tagged};
+use crate::shape::{Asked, Default, Drives, Field, Measure, Need, Object, Shape, Tagged};
 use crate::source::Source;
 use crate::tree::Tree;
 use crate::units::Unit;
@@ -83,7 +82,7 @@ fn print(source: &Source, model: &Model) -> Value {
         }
     }
     file.extend(model);
-    optimise::named(&mut file);
+    whole::named(&mut file);
     Value::Object(file)
 }
 
@@ -170,9 +169,22 @@ impl Printer<'_> {
                 Value::Object(self.object(tree, object, None, written, driven))
             }
             (Shape::Tagged(tagged), tree) => self.tagged(tree, tagged, written, driven),
-            (Shape::Curve(_) | Shape::State(_), tree) => self.whole(tree, shape, written, driven),
-            (Shape::Formula(of), tree) => self.formula(tree, *of, written, driven),
-            (Shape::Event, tree) => self.event(tree, written, driven),
+            (Shape::Asked(Asked::Value | Asked::Constraint), tree) => {
+                let text = tree.get("text").and_then(Tree::text);
+                text.map_or_else(|| plain(tree), Value::from)
+            }
+            (
+                Shape::Curve(_)
+                | Shape::State(_)
+                | Shape::Event
+                | Shape::Response
+                | Shape::Asked(Asked::Design),
+                tree,
+            ) => self.whole(tree, shape, written, driven),
+            (Shape::Formula(_), tree) if tree.get("formula").is_some() => {
+                self.whole(tree, shape, written, driven)
+            }
+            (Shape::Formula(of), tree) => self.value(tree, &Shape::Varying(*of), written, driven),
             (Shape::Varying(dimension), Tree::Map(_)) => self.tagged(
                 tree,
                 words::kinds("Motion"),
@@ -194,7 +206,6 @@ impl Printer<'_> {
             (Shape::Responses, Tree::Map(things)) => {
                 self.map(things, |_| Shape::Response, written, driven)
             }
-            (Shape::Response, tree) => self.response(tree, written, driven),
             (Shape::Direction, Tree::List(items)) => {
                 let number = Shape::Number(crate::shape::Bound::Any);
                 self.list(items, |_| number, written, driven)
@@ -209,7 +220,6 @@ impl Printer<'_> {
                 });
                 points.collect()
             }
-            (Shape::Asked(asked), tree) => self.asked(*asked, tree, written),
             (shape, tree) => self.leaf(tree, shape, written, driven),
         }
     }

@@ -9,7 +9,7 @@ use crate::element::prismatic::Guide;
 use crate::element::{Axis, BodyId, Constraint, Marker, Measure};
 use crate::system::{Block, DriverData, DriverId, Origin};
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{DriverKind, JointKind};
+use linkdyn_model::DriverKind;
 use std::sync::Arc;
 
 impl Compiler<'_> {
