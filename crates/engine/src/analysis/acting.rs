@@ -56,17 +56,12 @@ pub(super) fn is_unasked(system: &System, column: &Column) -> bool {
 }
 
 fn of_joint(joint: &JointData, contents: Contents) -> impl Iterator<Item = RelativeQuantity> {
-    let (turns, slides) = match joint.role() {
-        JointRole::Revolute | JointRole::Bushing => (true, false),
-        JointRole::Prismatic { .. } => (false, true),
-        JointRole::Slot { .. } => (true, true),
-        JointRole::Gear
-        | JointRole::Fixed
-        | JointRole::Contact
-        | JointRole::Cam
-        | JointRole::Rack { .. }
-        | JointRole::Belt => (false, false),
-    };
+    let role = joint.role();
+    let turns = matches!(
+        role,
+        JointRole::Revolute | JointRole::Slot { .. } | JointRole::Bushing
+    );
+    let slides = role.axis().is_some();
     let all = RelativeQuantity::ALL.into_iter();
     all.filter(move |quantity| match quantity {
         RelativeQuantity::Angle => turns,

@@ -117,17 +117,7 @@ fn undetermined() -> String {
 /// Joints of the output body that carry a force at a point, not on ground.
 fn drawn(system: &System, output: Output) -> Vec<Drawn> {
     let of = |(joint, data): (usize, &crate::system::JointData)| {
-        let carries = match data.role() {
-            JointRole::Revolute | JointRole::Slot { .. } => true,
-            JointRole::Prismatic { .. }
-            | JointRole::Gear
-            | JointRole::Fixed
-            | JointRole::Contact
-            | JointRole::Cam
-            | JointRole::Rack { .. }
-            | JointRole::Belt
-            | JointRole::Bushing => false,
-        };
+        let carries = matches!(data.role(), JointRole::Revolute | JointRole::Slot { .. });
         let own = BodyId(output.body + 1);
         let side = data.bodies().iter().position(|&body| body == own)?;
         (carries && data.bodies()[1 - side] != BodyId::GROUND).then_some(Drawn {
@@ -358,16 +348,7 @@ impl Output {
                     sin * axis.x + cos * axis.y,
                 ))
             }
-            JointRole::Revolute
-            | JointRole::Prismatic { .. }
-            | JointRole::Slot { .. }
-            | JointRole::Gear
-            | JointRole::Fixed
-            | JointRole::Contact
-            | JointRole::Cam
-            | JointRole::Rack { .. }
-            | JointRole::Belt
-            | JointRole::Bushing => None,
+            _ => None,
         });
         Output { body, slide }
     }

@@ -44,19 +44,13 @@ pub enum JointRole {
     Contact,
 }
 
+/// What only some joints have: one that is not named here has none of it.
 impl JointRole {
     /// Direction of the guide in the first body's frame, where there is one.
     pub(crate) fn axis(self) -> Option<Vec2> {
         match self {
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
-            JointRole::Revolute
-            | JointRole::Gear
-            | JointRole::Fixed
-            | JointRole::Contact
-            | JointRole::Cam
-            | JointRole::Rack { .. }
-            | JointRole::Belt
-            | JointRole::Bushing => None,
+            _ => None,
         }
     }
 }
