@@ -71,7 +71,7 @@ fn choices(choice: &Choice) -> Value {
     let words = choice
         .words
         .iter()
-        .map(|(word, about)| json!({ "type": "string", "const": word, "description": about }));
+        .map(|one| json!({ "type": "string", "const": one.word, "description": one.about }));
     json!({ "oneOf": words.collect::<Vec<_>>(), "description": choice.about })
 }
 

@@ -284,6 +284,17 @@ pub struct Choice {
     pub name: &'static str,
     /// What they are for.
     pub about: &'static str,
-    /// Each word, and what it means.
-    pub words: Vec<(&'static str, &'static str)>,
+    /// Each word.
+    pub words: Vec<Word>,
+}
+
+/// One of some words.
+#[derive(Debug)]
+pub struct Word {
+    /// The word.
+    pub word: &'static str,
+    /// What it means.
+    pub about: &'static str,
+    /// The keys beside it that it needs.
+    pub needs: Vec<&'static str>,
 }

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use crate::dimension::Dimension;
 use crate::shape::{
     Asked, Bound, Choice, Default, Drives, Either, Field, Measure, Named, Need, Object, Shape,
-    Tagged,
+    Tagged, Word,
 };
 
 const TABLE: &str = include_str!("words.txt");
@@ -59,6 +59,16 @@ pub fn kinds(name: &str) -> &'static Tagged {
         Some(Definition::Tagged(found)) => found,
         _ => panic!("words.txt describes no kinds of {name:?}"),
     }
+}
+
+/// The keys that a word of a choice needs beside it.
+pub fn needs(choice: &str, word: &str) -> &'static [&'static str] {
+    let words = match WORDS.known.get(choice) {
+        Some(Definition::Choice(found)) => found.words.as_slice(),
+        _ => &[],
+    };
+    let found = words.iter().find(|one| one.word == word);
+    found.map_or(&[], |found| &found.needs)
 }
 
 /// All that the schema defines by a name, in the order of the table.
@@ -150,7 +160,7 @@ impl Reader<'_> {
             "choice" => Definition::Choice(kept(Choice {
                 name,
                 about,
-                words: block.rows.iter().map(|&row| columns(row)).collect(),
+                words: block.rows.iter().map(|&row| word(row)).collect(),
             })),
             "kinds" => {
                 let kinds = blocks[index + 1..].iter();
@@ -287,6 +297,17 @@ impl Reader<'_> {
             Definition::Object(object) => Some(object),
             _ => None,
         }
+    }
+}
+
+/// `word | about | keys that it needs`.
+fn word(row: &'static str) -> Word {
+    let (word, rest) = columns(row);
+    let (about, needs) = columns(rest);
+    Word {
+        word,
+        about,
+        needs: needs.split(", ").filter(|key| !key.is_empty()).collect(),
     }
 }
 

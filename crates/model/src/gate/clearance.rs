@@ -5,7 +5,8 @@
 use super::Rules;
 use crate::error::Complaint;
 use crate::fit::Fit;
-use crate::tree::word;
+use crate::tree::{Tree, word};
+use crate::words;
 use crate::{
     Clearance, ClearanceModel, Friction, FrictionLaw, Joint, JointKind, Normal, NormalLaw,
 };
@@ -181,57 +182,46 @@ impl Words<'_, '_> {
             return;
         }
         let law = word(&normal.law);
-        let needs_it = format!("the law {law:?} needs it");
-        let restitution = self.number("normal.restitution", normal.restitution);
-        match normal.law {
+        let is_cylindrical = matches!(
+            normal.law,
             NormalLaw::Johnson
-            | NormalLaw::Radzimovsky
-            | NormalLaw::DubowskyFreudenstein
-            | NormalLaw::Pereira => self.cylindrical(clearance, normal, &needs_it),
-            NormalLaw::Hertz => self.stiffness(clearance, normal),
-            NormalLaw::KelvinVoigt => {
-                self.stiffness(clearance, normal);
-                self.need("normal.damping", normal.damping.is_some(), &needs_it);
-            }
-            NormalLaw::HuntCrossley
-            | NormalLaw::HerbertMcwhannell
-            | NormalLaw::LeeWang
-            | NormalLaw::LankaraniNikravesh
-            | NormalLaw::ZhiyingQishao => {
-                self.stiffness(clearance, normal);
-                self.need(
-                    "normal.restitution",
-                    normal.restitution.is_some(),
-                    &needs_it,
-                );
-            }
-            // Their hysteresis factor is infinite without any rebound.
-            NormalLaw::Flores | NormalLaw::Gonthier | NormalLaw::HuGuo => {
-                self.stiffness(clearance, normal);
-                self.need(
-                    "normal.restitution",
-                    normal.restitution.is_some(),
-                    &needs_it,
-                );
-                if restitution == Some(0.0) {
-                    self.complain(
-                        ".normal.restitution",
-                        format!("must be greater than 0 for the law {law:?}"),
-                        "\"hunt_crossley\" or \"zhiying_qishao\" allow 0",
-                    );
-                }
-            }
+                | NormalLaw::Radzimovsky
+                | NormalLaw::DubowskyFreudenstein
+                | NormalLaw::Pereira
+        );
+        if !is_cylindrical {
+            self.stiffness(clearance, normal);
+        }
+        self.needed("normal", "NormalLaw", &law, &Tree::of(normal));
+        if is_cylindrical {
+            self.cylindrical(clearance, normal, &format!("the law {law:?} needs it"));
+        }
+        // Their hysteresis factor is infinite without any rebound.
+        let wants_rebound = matches!(
+            normal.law,
+            NormalLaw::Flores | NormalLaw::Gonthier | NormalLaw::HuGuo
+        );
+        if wants_rebound && self.number("normal.restitution", normal.restitution) == Some(0.0) {
+            self.complain(
+                ".normal.restitution",
+                format!("must be greater than 0 for the law {law:?}"),
+                "\"hunt_crossley\" or \"zhiying_qishao\" allow 0",
+            );
+        }
+    }
+
+    /// The keys that the table says a law needs.
+    fn needed(&mut self, part: &str, choice: &str, law: &str, given: &Tree) {
+        let hint = format!("the law {law:?} needs it");
+        for key in words::needs(choice, law) {
+            self.need(&format!("{part}.{key}"), given.get(key).is_some(), &hint);
         }
     }
 
     /// Laws of cylinders take materials and length instead of a stiffness.
     fn cylindrical(&mut self, clearance: &Clearance, normal: &Normal, needs_it: &str) {
-        self.need("normal.elastic", normal.elastic.is_some(), needs_it);
-        self.need(
-            "bearing_radius",
-            clearance.bearing_radius.is_some(),
-            needs_it,
-        );
+        let bearing = clearance.bearing_radius.is_some();
+        self.need("bearing_radius", bearing, needs_it);
         self.need("axial_length", clearance.axial_length.is_some(), needs_it);
         let radius = self
             .number("radius", clearance.radius)
@@ -271,37 +261,16 @@ impl Words<'_, '_> {
         let Some(friction) = friction.filter(|_| !self.is_hole("friction.law")) else {
             return;
         };
-        let coefficient = ("coefficient", friction.coefficient);
-        let resting = ("static_coefficient", friction.static_coefficient);
-        let threshold = ("threshold_velocity", friction.threshold_velocity);
-        let stribeck = ("stribeck_velocity", friction.stribeck_velocity);
-        let lower = ("lower_velocity", friction.lower_velocity);
-        let upper = ("upper_velocity", friction.upper_velocity);
-        let bristles = ("bristle_stiffness", friction.bristle_stiffness);
+        let law = word(&friction.law);
+        self.needed("friction", "FrictionLaw", &law, &Tree::of(friction));
         match friction.law {
-            FrictionLaw::None => {}
-            FrictionLaw::Coulomb | FrictionLaw::Threlfall => {
-                self.need_all(friction, &[coefficient, threshold]);
-            }
+            FrictionLaw::None | FrictionLaw::Coulomb | FrictionLaw::Threlfall => {}
             FrictionLaw::Ambrosio => {
-                self.need_all(friction, &[coefficient, lower, upper]);
-                self.increasing(lower.1, upper.1);
+                self.increasing(friction.lower_velocity, friction.upper_velocity);
             }
-            FrictionLaw::Stribeck => {
-                self.need_all(friction, &[coefficient, resting, stribeck, threshold]);
-                self.kinetic_is_less(coefficient.1, resting.1);
+            FrictionLaw::Stribeck | FrictionLaw::Lugre => {
+                self.kinetic_is_less(friction.coefficient, friction.static_coefficient);
             }
-            FrictionLaw::Lugre => {
-                self.need_all(friction, &[coefficient, resting, stribeck, bristles]);
-                self.kinetic_is_less(coefficient.1, resting.1);
-            }
-        }
-    }
-
-    fn need_all(&mut self, friction: &Friction, needed: &[(&str, Option<f64>)]) {
-        for (key, value) in needed {
-            let hint = format!("the law {:?} needs it", word(&friction.law));
-            self.need(&format!("friction.{key}"), value.is_some(), &hint);
         }
     }
 

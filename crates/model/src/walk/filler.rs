@@ -18,7 +18,7 @@ pub fn filler(shape: &Shape) -> Tree {
             Tree::Null
         }
         Shape::Point => Tree::from("."),
-        Shape::Choice(choice) => Tree::from(choice.words.first().map_or("", |word| word.0)),
+        Shape::Choice(choice) => Tree::from(choice.words.first().map_or("", |one| one.word)),
         Shape::Quantity(..)
         | Shape::Range(..)
         | Shape::PerAxis(..)

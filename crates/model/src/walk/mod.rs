@@ -360,7 +360,7 @@ impl<'a> Walk<'a> {
 
 /// The words of a choice.
 fn texts(choice: &Choice) -> Vec<&'static str> {
-    choice.words.iter().map(|word| word.0).collect()
+    choice.words.iter().map(|one| one.word).collect()
 }
 
 /// Something else is expected here.
