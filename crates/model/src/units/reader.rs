@@ -90,18 +90,12 @@ impl<'a> Reader<'a> {
             return Err(UnitFault::Malformed);
         }
         let row = SYMBOLS.iter().find(|row| row.0 == symbol);
-        let &(_, num, den, ten, pi, powers) = row.ok_or_else(|| UnitFault::Unknown {
+        let (_, unit) = row.ok_or_else(|| UnitFault::Unknown {
             symbol: symbol.into(),
             nearest: nearest(symbol),
         })?;
         self.rest = rest.trim_start();
-        Ok(Unit {
-            powers,
-            num,
-            den,
-            ten,
-            pi,
-        })
+        Ok(*unit)
     }
 
     fn exponent(&mut self) -> Result<i32, UnitFault> {
