@@ -17,42 +17,13 @@ pub(super) fn accuracy(rules: &mut Rules<'_>) {
         if rules.holes.has(&path) {
             continue;
         }
-        at(rules, output, &path);
-        limits(rules, output, &path);
+        let at = format!("{path}.at");
+        if let Some(position) = output.at.as_ref().filter(|_| !rules.holes.has(&at)) {
+            let hint = "name the driver whose value says the position";
+            rules.lacks_driver(&at, position.driver.as_ref(), hint);
+        }
+        rules.width(&path, output.limits, "the lower deviation", "[-0.1, 0.1]");
         distance(rules, output, &path);
-    }
-}
-
-/// A position is that of one driver.
-fn at(rules: &mut Rules<'_>, output: &AccuracyOutput, path: &str) {
-    let path = format!("{path}.at");
-    let drivers = rules.model.drivers.len();
-    let Some(at) = output.at.as_ref().filter(|_| !rules.holes.has(&path)) else {
-        return;
-    };
-    if at.driver.is_none() && drivers != 1 && !rules.holes.has("drivers") {
-        let message = format!("\"driver\" is missing, the model has {drivers} of them");
-        rules.complain(
-            path,
-            message,
-            "name the driver whose value says the position",
-        );
-    }
-}
-
-/// Limits have a width.
-fn limits(rules: &mut Rules<'_>, output: &AccuracyOutput, path: &str) {
-    let path = format!("{path}.limits");
-    let known = |index: usize| !rules.holes.has(&format!("{path}[{index}]"));
-    let Some([lower, upper]) = output.limits.filter(|_| known(0) && known(1)) else {
-        return;
-    };
-    if lower > upper {
-        let hint = "the lower deviation comes first, as in [-0.1, 0.1]";
-        rules.complain(path, "the limits are the wrong way round", hint);
-    } else if lower == upper {
-        let hint = "as in [-0.1, 0.1]";
-        rules.complain(path, "between these limits there is nothing", hint);
     }
 }
 

@@ -197,6 +197,33 @@ impl Rules<'_> {
             .push(Complaint::new(path, message).hint(hint));
     }
 
+    /// Complains where no driver is named though there is not one alone; whether it did.
+    fn lacks_driver(&mut self, path: &str, driver: Option<&String>, hint: &str) -> bool {
+        let drivers = self.model.drivers.len();
+        let lacks = driver.is_none() && drivers != 1 && !self.holes.has("drivers");
+        if lacks {
+            let message = format!("\"driver\" is missing, the model has {drivers} of them");
+            self.complain(path, message, hint);
+        }
+        lacks
+    }
+
+    /// Limits have a width.
+    fn width(&mut self, path: &str, limits: Option<[f64; 2]>, first: &str, such: &str) {
+        let path = format!("{path}.limits");
+        let known = |index: usize| !self.holes.has(&format!("{path}[{index}]"));
+        let Some([lower, upper]) = limits.filter(|_| known(0) && known(1)) else {
+            return;
+        };
+        if lower > upper {
+            let hint = format!("{first} comes first, as in {such}");
+            self.complain(path, "the limits are the wrong way round", hint);
+        } else if lower == upper {
+            let message = "between these limits there is nothing";
+            self.complain(path, message, format!("as in {such}"));
+        }
+    }
+
     /// Bodies with mass have a centre of mass.
     fn bodies(&mut self) {
         for (name, body) in &self.model.bodies {

@@ -61,10 +61,8 @@ fn timing(rules: &mut Rules<'_>, curve: &Curve) {
     if rules.holes.has(&path) || rules.holes.within(&path) {
         return;
     }
-    let drivers = rules.model.drivers.len();
-    if curve.driver.is_none() && drivers != 1 && !rules.holes.has("drivers") {
-        let message = format!("\"driver\" is missing, the model has {drivers} of them");
-        rules.complain(path, message, "name the driver whose values are meant");
+    let hint = "name the driver whose values are meant";
+    if rules.lacks_driver(&path, curve.driver.as_ref(), hint) {
         return;
     }
     let (points, values) = (curve.through.len(), at.len());

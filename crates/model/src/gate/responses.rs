@@ -21,28 +21,12 @@ pub(super) fn responses(rules: &mut Rules<'_>) {
         if rules.holes.has(&path) {
             continue;
         }
-        limits(rules, response, &path);
+        rules.width(&path, response.limits, "the lower limit", "[79, 81]");
         match response.compile(&catalogue) {
             Ok(compiled) => unit(rules, response, &compiled.quantity, &path),
             Err(complaint) if is_whole => rules.complaints.push(Complaint { path, ..complaint }),
             Err(_) => {}
         }
-    }
-}
-
-/// Limits have a width.
-fn limits(rules: &mut Rules<'_>, response: &Response, path: &str) {
-    let path = format!("{path}.limits");
-    let known = |index: usize| !rules.holes.has(&format!("{path}[{index}]"));
-    let Some([lower, upper]) = response.limits.filter(|_| known(0) && known(1)) else {
-        return;
-    };
-    if lower > upper {
-        let hint = "the lower limit comes first, as in [79, 81]";
-        rules.complain(path, "the limits are the wrong way round", hint);
-    } else if lower == upper {
-        let hint = "as in [79, 81]";
-        rules.complain(path, "between these limits there is nothing", hint);
     }
 }
 
