@@ -61,7 +61,7 @@ struct BodyWords {
     inertia: Option<f64>,
     com: Option<[f64; 2]>,
     #[serde(default)]
-    points: IndexMap<String, Place>,
+    points: IndexMap<String, PointWords>,
     #[serde(default)]
     pose: Pose,
 }
@@ -69,7 +69,7 @@ struct BodyWords {
 /// Two coordinates, or these with a tolerance.
 #[derive(Deserialize, Serialize)]
 #[serde(untagged)]
-enum Place {
+enum PointWords {
     Exact([f64; 2]),
     Tolerated {
         position: [f64; 2],
@@ -89,8 +89,8 @@ impl From<BodyWords> for Body {
         };
         for (name, place) in words.points {
             let (position, tolerance) = match place {
-                Place::Exact(position) => (position, None),
-                Place::Tolerated {
+                PointWords::Exact(position) => (position, None),
+                PointWords::Tolerated {
                     position,
                     tolerance,
                 } => (position, tolerance),
@@ -107,8 +107,8 @@ impl From<Body> for BodyWords {
     fn from(body: Body) -> Self {
         let place = |(name, position): (String, [f64; 2])| {
             let place = match body.point_tolerances.get(&name) {
-                None => Place::Exact(position),
-                Some(&tolerance) => Place::Tolerated {
+                None => PointWords::Exact(position),
+                Some(&tolerance) => PointWords::Tolerated {
                     position,
                     tolerance: Some(tolerance),
                 },

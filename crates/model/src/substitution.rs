@@ -53,7 +53,7 @@ pub struct Substitution {
     inputs: Vec<usize>,
     chain: Chain,
     /// Parts of the model that numbers are put into, in SI.
-    parts: Vec<Part>,
+    parts: Vec<Component>,
     leaves: Vec<Leaf>,
     /// Constants of responses.
     constants: Vec<Constant>,
@@ -78,20 +78,20 @@ struct Leaf {
 
 /// A part of the model: a body, a joint, a driver and the like.
 #[derive(Debug, Clone)]
-struct Part {
+struct Component {
     map: String,
     name: String,
     tree: Tree,
 }
 
-impl Part {
+impl Component {
     /// Of a whole model.
-    fn of(model: &Tree, map: &str, name: &str) -> Option<Part> {
+    fn of(model: &Tree, map: &str, name: &str) -> Option<Component> {
         let tree = match map {
             "gravity" => model.get(map)?,
             map => model.get(map)?.get(name)?,
         };
-        Some(Part {
+        Some(Component {
             map: map.to_owned(),
             name: name.to_owned(),
             tree: tree.clone(),
@@ -206,7 +206,7 @@ impl Substitution {
         let (parameters, recorded) = recorded(source);
         let inputs = names.iter().map(|name| parameters.index(name));
         let whole = Tree::of::<Model>(nominal);
-        let mut parts: Vec<Part> = Vec::new();
+        let mut parts: Vec<Component> = Vec::new();
         let mut leaves = Vec::new();
         for one in recorded {
             let Some(program) = parameters.program(&one.text) else {
@@ -221,7 +221,7 @@ impl Substitution {
                 .position(|part| part.map == map && part.name == name);
             let part = known.unwrap_or(parts.len());
             if known.is_none() {
-                parts.push(Part::of(&whole, map, name)?);
+                parts.push(Component::of(&whole, map, name)?);
             }
             let steps = steps_to(&parts[part].tree, rest)?;
             let place: Vec<&str> = { of.iter().copied() }

@@ -24,7 +24,7 @@ pub enum Definition {
     Point(&'static str),
     /// Materials, and what they are.
     Materials(&'static str),
-    /// Words.
+    /// Vocabulary.
     Choice(&'static Choice),
     /// An object.
     Object(&'static Object),
@@ -32,7 +32,7 @@ pub enum Definition {
     Tagged(&'static Tagged),
 }
 
-static WORDS: LazyLock<Words> = LazyLock::new(|| Words::read(TABLE));
+static WORDS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::read(TABLE));
 
 /// An object of the table.
 ///
@@ -88,14 +88,14 @@ struct Block {
 }
 
 /// The table as read.
-struct Words {
+struct Vocabulary {
     blocks: Vec<Block>,
     known: HashMap<&'static str, Definition>,
 }
 
-impl Words {
+impl Vocabulary {
     /// Reads the whole table, which is a part of the program: a line that can't be read ends it with that line.
-    fn read(table: &'static str) -> Words {
+    fn read(table: &'static str) -> Vocabulary {
         let mut blocks: Vec<Block> = Vec::new();
         let lines = table.lines().filter(|line| !line.starts_with('#'));
         for line in lines.filter(|line| !line.is_empty()) {
@@ -104,7 +104,7 @@ impl Words {
                 _ => blocks.push(first_line(line).unwrap_or_else(|| broken(line))),
             }
         }
-        let mut reader = Reader {
+        let mut reader = TableReader {
             blocks: &blocks,
             known: HashMap::new(),
         };
@@ -114,7 +114,7 @@ impl Words {
             }
         }
         let known = reader.known;
-        Words { blocks, known }
+        Vocabulary { blocks, known }
     }
 }
 
@@ -140,12 +140,12 @@ fn first_line(line: &'static str) -> Option<Block> {
 }
 
 /// Reads descriptions, each after those that it names.
-struct Reader<'b> {
+struct TableReader<'b> {
     blocks: &'b [Block],
     known: HashMap<&'static str, Definition>,
 }
 
-impl Reader<'_> {
+impl TableReader<'_> {
     fn define(&mut self, index: usize) -> Definition {
         let blocks = self.blocks;
         let block = &blocks[index];
@@ -390,7 +390,7 @@ mod tests {
 
     #[test]
     fn the_table_can_be_read_and_names_nothing_twice() {
-        let words = Words::read(TABLE);
+        let words = Vocabulary::read(TABLE);
         let named = words.blocks.iter().filter(|block| block.word != "kind");
         assert_eq!(named.count(), words.known.len());
         for block in &words.blocks {

@@ -65,30 +65,22 @@ impl Parameters {
     }
 
     fn differentiated<T: Real>(&self, deviations: &[T]) -> Values<T> {
-        let mut known = Values {
-            values: self.names.iter().map(|_| None).collect(),
-            reasons: vec![None; self.names.len()],
-        };
-        for index in self.order().0 {
+        let mut reasons = vec![None; self.names.len()];
+        let (values, _) = self.follow(|index, value| {
             let value = match &self.written[index] {
-                Written::Value(value) => Ok(value.with_value(Dual::of(value.value))),
                 Written::Faulty => Err("it has no value".to_owned()),
-                Written::Expression(expression) => known
-                    .of(expression.evaluate(&known.values, self.degrees), || {
-                        expression.parameters().collect()
-                    }),
+                Written::Value(_) => explained(&reasons, value, [].into_iter()),
+                Written::Expression(one) => explained(&reasons, value, one.parameters()),
             };
-            match value {
-                Ok(value) => {
-                    let deviating = value.value.clone().deviating(index, &deviations[index]);
-                    known.values[index] = Some(value.with_value(deviating));
-                }
-                Err(reason) => {
-                    known.reasons[index] = Some(format!("{}: {reason}", self.names[index]));
-                }
-            }
-        }
-        known
+            let deviating = |one: Dual<T>| one.deviating(index, &deviations[index]);
+            value
+                .map(|one| one.with_value(deviating(one.value.clone())))
+                .map_err(|reason| {
+                    reasons[index] = Some(format!("{}: {reason}", self.names[index]));
+                })
+                .ok()
+        });
+        Values { values, reasons }
     }
 
     /// A quantity; none where no parameter gives it.
@@ -96,9 +88,8 @@ impl Parameters {
         // what can't be read was complained about
         let expression = self.parse(&recorded.text).ok()?;
         expression.parameters().next()?;
-        let value = known.of(expression.evaluate(&known.values, self.degrees), || {
-            expression.parameters().collect()
-        });
+        let value = expression.evaluate(&known.values, self.degrees);
+        let value = explained(&known.reasons, value, expression.parameters());
         let mut leaf = Leaf {
             path: recorded.path.clone(),
             value: None,
@@ -128,24 +119,18 @@ impl Parameters {
     }
 }
 
-impl<T> Values<T> {
-    /// What an evaluation gave, or why it gave nothing.
-    fn of(
-        &self,
-        evaluated: Result<Option<Quantity<Dual<T>>>, Misfit>,
-        named: impl FnOnce() -> Vec<usize>,
-    ) -> Result<Quantity<Dual<T>>, String> {
-        match evaluated {
-            Ok(Some(value)) => Ok(value),
-            Ok(None) => {
-                let mut reasons = named()
-                    .into_iter()
-                    .filter_map(|index| self.reasons[index].clone());
-                Err(reasons
-                    .next()
-                    .unwrap_or_else(|| "a parameter has no value".to_owned()))
-            }
-            Err(misfit) => Err(misfit.fault.message),
+/// What an evaluation gave, or why it gave nothing: the reason of a parameter that it names.
+fn explained<T>(
+    reasons: &[Option<String>],
+    evaluated: Result<Option<Quantity<Dual<T>>>, Misfit>,
+    mut named: impl Iterator<Item = usize>,
+) -> Result<Quantity<Dual<T>>, String> {
+    match evaluated {
+        Ok(Some(value)) => Ok(value),
+        Ok(None) => {
+            let reason = named.find_map(|index| reasons[index].clone());
+            Err(reason.unwrap_or_else(|| "a parameter has no value".to_owned()))
         }
+        Err(misfit) => Err(misfit.fault.message),
     }
 }

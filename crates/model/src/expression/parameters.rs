@@ -10,7 +10,7 @@ use std::collections::HashMap;
 use super::super::node::{Kind, Node, Origin};
 use super::super::suggest;
 use super::written::{Written, quantity, refused_name};
-use super::{Expression, Fault, Misfit, Quantity, is_expression};
+use super::{Expression, Fault, Misfit, Number, Quantity, is_expression};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::tolerance::Tolerance;
@@ -221,35 +221,45 @@ impl Parameters {
                     .for_each(|named| self.used[named] = true);
             }
         }
-        let (order, waits) = self.order();
-        for index in order {
-            let given = self
-                .given
-                .get(&index)
-                .zip(nominal.get(index).copied().flatten());
-            let value = match &self.written[index] {
-                _ if given.is_some() => given.map(|(&value, nominal)| nominal.with_value(value)),
-                Written::Value(value) => Some(*value),
-                Written::Faulty => None,
-                Written::Expression(expression) => {
-                    let value = expression.evaluate(&self.values, self.degrees);
-                    value.unwrap_or_else(|Misfit { at, fault }| {
-                        let complaint = fault.at(self.path(index));
-                        faults.push(Found {
-                            node: nodes[index],
-                            at: Some(at),
-                            complaint,
-                        });
-                        None
-                    })
+        let (values, waits) = self.follow(|index, value| {
+            let nominal = nominal.get(index).copied().flatten();
+            let value = match (self.given.get(&index).zip(nominal), value) {
+                (Some((&value, nominal)), _) => Some(nominal.with_value(value)),
+                (None, Ok(value)) => value,
+                (None, Err(Misfit { at, fault })) => {
+                    faults.push(Found {
+                        node: nodes[index],
+                        at: Some(at),
+                        complaint: fault.at(self.path(index)),
+                    });
+                    None
                 }
             };
-            self.values[index] = match self.deviations.get(&index) {
+            match self.deviations.get(&index) {
                 Some(deviation) => value.map(|one| one.with_value(one.value + deviation)),
                 None => value,
-            };
-        }
+            }
+        });
+        self.values = values;
         self.circles(nodes, &waits, faults);
+    }
+
+    /// All values, each after those that it names, as `own` keeps them; and how many each one still waits for.
+    pub(super) fn follow<N: Number>(
+        &self,
+        mut own: impl FnMut(usize, Result<Option<Quantity<N>>, Misfit>) -> Option<Quantity<N>>,
+    ) -> (Vec<Option<Quantity<N>>>, Vec<usize>) {
+        let (order, waits) = self.order();
+        let mut values = vec![None; self.written.len()];
+        for index in order {
+            let value = match &self.written[index] {
+                Written::Value(value) => Ok(Some(value.with_value(N::of(value.value)))),
+                Written::Faulty => Ok(None),
+                Written::Expression(expression) => expression.evaluate(&values, self.degrees),
+            };
+            values[index] = own(index, value);
+        }
+        (values, waits)
     }
 
     /// Each after those that it names, and how many each one still waits for.

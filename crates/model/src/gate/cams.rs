@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::Rules;
-use super::motions::{Part, part};
+use super::motions::{RiseOrDwell, part};
 use crate::cam::{ROUND_OFF, around, course};
 use crate::error::Complaint;
 use crate::{Cam, CamSegment, Follower, Joint, JointKind, Profile};
@@ -24,7 +24,7 @@ pub(super) fn cam(rules: &mut Rules<'_>, joint: &Joint, path: &str) {
     let place = format!("{path}.profile");
     let before = rules.complaints.len();
     for (index, of) in cam.profile.segments().iter().enumerate() {
-        let own = Part {
+        let own = RiseOrDwell {
             law: of.law,
             rise: [of.rise, of.end],
             span: ("angle", of.angle),

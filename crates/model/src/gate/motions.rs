@@ -70,7 +70,7 @@ fn motion(rules: &mut Rules<'_>, motion: &Motion, of: Of, path: &str) {
         Motion::SCurve(rise) => paced(rules, rise, true, path),
         Motion::Sequence { segments, .. } => {
             for (index, of) in segments.iter().enumerate() {
-                let own = Part {
+                let own = RiseOrDwell {
                     law: of.law,
                     rise: [of.rise, of.end],
                     span: ("duration", of.duration),
@@ -194,7 +194,7 @@ fn paced(rules: &mut Rules<'_>, rise: &Paced, is_rounded: bool, path: &str) {
 }
 
 /// A part of a sequence, or of a turn of a cam: a rise or a dwell.
-pub(super) struct Part {
+pub(super) struct RiseOrDwell {
     pub law: Option<RiseLaw>,
     /// How far, or where to.
     pub rise: [Option<f64>; 2],
@@ -214,7 +214,7 @@ const OF_SEQUENCES: [&str; 3] = [
 ];
 
 /// A segment is a rise that says how far it goes and over what, or a dwell.
-pub(super) fn part(rules: &mut Rules<'_>, part: &Part, path: &str) {
+pub(super) fn part(rules: &mut Rules<'_>, part: &RiseOrDwell, path: &str) {
     let known = |key: &str| !rules.holes.has(&format!("{path}.{key}"));
     if !known("law") || !known("dwell") {
         return;
