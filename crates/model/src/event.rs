@@ -26,18 +26,18 @@ pub struct Event {
 
 /// How the sides of an event are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Relation {
+pub(crate) enum Comparison {
     AtLeast,
     AtMost,
     Reaches,
 }
 
-const RELATIONS: [(&str, Relation); 5] = [
-    (">=", Relation::AtLeast),
-    ("≥", Relation::AtLeast),
-    ("<=", Relation::AtMost),
-    ("≤", Relation::AtMost),
-    (" reaches ", Relation::Reaches),
+const RELATIONS: [(&str, Comparison); 5] = [
+    (">=", Comparison::AtLeast),
+    ("≥", Comparison::AtLeast),
+    ("<=", Comparison::AtMost),
+    ("≤", Comparison::AtMost),
+    (" reaches ", Comparison::Reaches),
 ];
 
 /// Before the first side, between both, and behind the second.
@@ -49,7 +49,7 @@ pub(crate) struct Sides<'t> {
     text: &'t str,
     /// Where the relation stands, and where it ends.
     relation: (usize, usize),
-    is: Relation,
+    is: Comparison,
 }
 
 impl<'t> Sides<'t> {
@@ -86,7 +86,7 @@ impl<'t> Sides<'t> {
     /// The expression that is 1 where the event has happened, else 0.
     pub fn step(&self) -> String {
         let [mut first, mut second] = self.sides();
-        if self.is == Relation::AtMost {
+        if self.is == Comparison::AtMost {
             std::mem::swap(&mut first, &mut second);
         }
         let [before, between, behind] = STEP;
@@ -98,8 +98,8 @@ impl<'t> Sides<'t> {
         let [before, between, _] = STEP;
         let [first, second] = self.sides().map(str::len);
         let (early, late) = match self.is {
-            Relation::AtMost => ((second, self.relation.1), (first, 0)),
-            Relation::AtLeast | Relation::Reaches => ((first, 0), (second, self.relation.1)),
+            Comparison::AtMost => ((second, self.relation.1), (first, 0)),
+            Comparison::AtLeast | Comparison::Reaches => ((first, 0), (second, self.relation.1)),
         };
         let at = at.saturating_sub(before.len());
         match at.checked_sub(early.0 + between.len()) {
@@ -120,7 +120,7 @@ impl Event {
 
     /// Whether it happens from whichever side it is come to.
     pub fn is_either_way(&self) -> bool {
-        Sides::of(&self.event).is_ok_and(|sides| sides.is == Relation::Reaches)
+        Sides::of(&self.event).is_ok_and(|sides| sides.is == Comparison::Reaches)
     }
 
     /// The formula that is 1 where it has happened, else 0.

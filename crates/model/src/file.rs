@@ -15,7 +15,7 @@ use super::table::{self, MOST_POINTS};
 const MAPS: [&str; 3] = ["tables", "drivers", "forces"];
 
 /// A fault at a place of the model.
-struct Fault {
+struct FileFault {
     origin: Origin,
     found: String,
     complaint: Complaint,
@@ -37,7 +37,7 @@ pub(super) fn put_in(source: &mut Source, beside: &Beside) -> Vec<Complaint> {
         .collect()
 }
 
-fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<Fault>) {
+fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<FileFault>) {
     match &mut node.kind {
         Kind::Array(items) => {
             // points are the longest lists, and have no tables inside
@@ -57,7 +57,7 @@ fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<Fault>) 
             if let Some((name, origin)) = named.filter(|_| !members.contains_key("points")) {
                 if let Err((message, hint)) = replace(node, &name, origin, beside) {
                     let complaint = Complaint::new(join(path, "file"), message);
-                    faults.push(Fault {
+                    faults.push(FileFault {
                         origin,
                         found: format!("{:?}", excerpt(&name)),
                         complaint: Complaint { hint, ..complaint },
@@ -81,7 +81,7 @@ fn replace(node: &mut Node, name: &str, origin: Origin, beside: &Beside) -> Resu
     let columns = pair_of(members.get("columns").map(|member| &member.node));
     let written = pair_of(members.get("units").map(|member| &member.node));
     let text = beside.read(name)?;
-    let table = Table::of(&text, columns)?;
+    let table = FileTable::of(&text, columns)?;
     let units = match (written, table.units) {
         (Some(units), _) => units.map(Some),
         (None, units) => known(units)?,
@@ -145,14 +145,14 @@ fn pair_of(node: Option<&Node>) -> Option<[String; 2]> {
 
 /// What a file holds.
 #[derive(Debug, PartialEq)]
-struct Table {
+struct FileTable {
     points: Vec<[f64; 2]>,
     units: [Option<String>; 2],
 }
 
-impl Table {
+impl FileTable {
     /// Of a text, by the names of its columns.
-    fn of(text: &str, columns: Option<[String; 2]>) -> Result<Table, Refusal> {
+    fn of(text: &str, columns: Option<[String; 2]>) -> Result<FileTable, Refusal> {
         let lines = text
             .lines()
             .enumerate()
@@ -221,7 +221,7 @@ impl Table {
                 );
                 Err(plainly(message))
             }
-            _ => Ok(Table { points, units }),
+            _ => Ok(FileTable { points, units }),
         }
     }
 }

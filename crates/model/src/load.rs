@@ -265,7 +265,7 @@ fn decode(text: &[u8]) -> Result<&str, Complaint> {
     })
 }
 
-fn syntax(source: &Source, fault: &json::Fault) -> Complaint {
+fn syntax(source: &Source, fault: &json::SyntaxFault) -> Complaint {
     let mut complaint = Complaint::new("", format!("not JSON: {}", fault.message));
     complaint.place = Some(source.place_of(fault.at));
     complaint.hint = fault.hint.map(str::to_owned);

@@ -9,7 +9,7 @@ use serde_json::Number;
 
 /// A step of a path.
 #[derive(Debug, PartialEq)]
-enum Step<'a> {
+enum SetStep<'a> {
     Key(&'a str),
     Index(usize),
 }
@@ -132,17 +132,17 @@ fn apply_one(root: &mut Node, set: &str, index: usize) -> Result<(), Refusal> {
 /// for the number and leaves the tolerance, and a tolerance is put beside a number that stands alone.
 fn beside_tolerance<'a>(
     root: &mut Node,
-    mut steps: Vec<Step<'a>>,
+    mut steps: Vec<SetStep<'a>>,
     value: &Node,
     index: usize,
-) -> Vec<Step<'a>> {
+) -> Vec<SetStep<'a>> {
     let (depth, key) = match steps.as_slice() {
-        [Step::Key("parameters"), Step::Key(_), ..] => (2, "value"),
+        [SetStep::Key("parameters"), SetStep::Key(_), ..] => (2, "value"),
         [
-            Step::Key("bodies"),
-            Step::Key(_),
-            Step::Key("points"),
-            Step::Key(_),
+            SetStep::Key("bodies"),
+            SetStep::Key(_),
+            SetStep::Key("points"),
+            SetStep::Key(_),
             ..,
         ] => (4, "position"),
         _ => return steps,
@@ -153,9 +153,9 @@ fn beside_tolerance<'a>(
     let is_object = |node: &Node| matches!(node.kind, Kind::Object(_));
     match steps.get(depth) {
         // all of it, or a coordinate
-        None if is_object(found) && !is_object(value) => steps.push(Step::Key(key)),
-        Some(Step::Index(_)) if is_object(found) => steps.insert(depth, Step::Key(key)),
-        Some(Step::Key(_)) if !is_object(found) => {
+        None if is_object(found) && !is_object(value) => steps.push(SetStep::Key(key)),
+        Some(SetStep::Index(_)) if is_object(found) => steps.insert(depth, SetStep::Key(key)),
+        Some(SetStep::Key(_)) if !is_object(found) => {
             let made = Kind::Object(Box::default());
             let origin = Origin::Set(index);
             let alone = std::mem::replace(found, Node { kind: made, origin });
@@ -167,26 +167,26 @@ fn beside_tolerance<'a>(
                 members.insert(key.to_owned(), member);
             }
         }
-        None | Some(Step::Index(_) | Step::Key(_)) => {}
+        None | Some(SetStep::Index(_) | SetStep::Key(_)) => {}
     }
     steps
 }
 
 /// What exists at a path of keys.
-fn existing<'n>(root: &'n mut Node, steps: &[Step<'_>]) -> Option<&'n mut Node> {
+fn existing<'n>(root: &'n mut Node, steps: &[SetStep<'_>]) -> Option<&'n mut Node> {
     steps
         .iter()
         .try_fold(root, |node, step| match (step, &mut node.kind) {
-            (Step::Key(key), Kind::Object(members)) => {
+            (SetStep::Key(key), Kind::Object(members)) => {
                 members.get_mut(*key).map(|member| &mut member.node)
             }
-            (Step::Key(_) | Step::Index(_), _) => None,
+            (SetStep::Key(_) | SetStep::Index(_), _) => None,
         })
 }
 
 /// `null` takes away what there is; whether there was something.
-fn take_away(root: &mut Node, steps: &[Step<'_>]) -> bool {
-    let Some((Step::Key(key), before)) = steps.split_last() else {
+fn take_away(root: &mut Node, steps: &[SetStep<'_>]) -> bool {
+    let Some((SetStep::Key(key), before)) = steps.split_last() else {
         return false;
     };
     match existing(root, before).map(|node| &mut node.kind) {
@@ -197,12 +197,12 @@ fn take_away(root: &mut Node, steps: &[Step<'_>]) -> bool {
 }
 
 /// The radius of a clearance and its fit exclude each other: the one that is set takes the place of the other.
-fn take_other(root: &mut Node, steps: &[Step<'_>]) {
+fn take_other(root: &mut Node, steps: &[SetStep<'_>]) {
     let [
-        Step::Key("joints"),
+        SetStep::Key("joints"),
         _,
-        Step::Key("clearance"),
-        Step::Key(key),
+        SetStep::Key("clearance"),
+        SetStep::Key(key),
     ] = steps
     else {
         return;
@@ -254,7 +254,7 @@ fn value(text: &str, index: usize) -> Result<Node, Refusal> {
 }
 
 /// Splits `joints.b.between[1]`.
-fn steps(path: &str) -> Result<Vec<Step<'_>>, Refusal> {
+fn steps(path: &str) -> Result<Vec<SetStep<'_>>, Refusal> {
     let malformed = || {
         (
             format!("{:?} is not a path", node::excerpt(path)),
@@ -269,11 +269,11 @@ fn steps(path: &str) -> Result<Vec<Step<'_>>, Refusal> {
         if key.is_empty() || key.contains(']') {
             return Err(malformed());
         }
-        steps.push(Step::Key(key));
+        steps.push(SetStep::Key(key));
         rest = &rest[end..];
         while let Some(text) = rest.strip_prefix('[') {
             let (index, after) = text.split_once(']').ok_or_else(malformed)?;
-            steps.push(Step::Index(index.parse().map_err(|_| malformed())?));
+            steps.push(SetStep::Index(index.parse().map_err(|_| malformed())?));
             rest = after;
         }
         if steps.len() > json::DEEPEST / 2 {
@@ -289,7 +289,7 @@ fn steps(path: &str) -> Result<Vec<Step<'_>>, Refusal> {
 /// The value at a path; objects that are missing on the way are made.
 fn reach<'a>(
     root: &'a mut Node,
-    steps: &[Step<'_>],
+    steps: &[SetStep<'_>],
     index: usize,
 ) -> Result<&'a mut Node, Refusal> {
     let mut node = root;
@@ -302,7 +302,7 @@ fn reach<'a>(
             way.clone()
         };
         match (step, &mut node.kind) {
-            (Step::Key(key), Kind::Object(members)) => {
+            (SetStep::Key(key), Kind::Object(members)) => {
                 way = node::join(&way, key);
                 let made = || Node {
                     kind: Kind::Object(Box::default()),
@@ -316,7 +316,7 @@ fn reach<'a>(
                     })
                     .node;
             }
-            (Step::Index(at), Kind::Array(items)) => {
+            (SetStep::Index(at), Kind::Array(items)) => {
                 way = format!("{way}[{at}]");
                 let count = items.len();
                 let entries = format!("it has {count}, counted from 0");
@@ -324,13 +324,13 @@ fn reach<'a>(
                     .get_mut(*at)
                     .ok_or_else(|| (format!("{here} has no entry [{at}]"), entries))?;
             }
-            (Step::Key(key), _) => {
+            (SetStep::Key(key), _) => {
                 return Err((
                     format!("{here} is {kind} and has no keys"),
                     format!("the path goes on with {key:?}"),
                 ));
             }
-            (Step::Index(at), _) => {
+            (SetStep::Index(at), _) => {
                 return Err((
                     format!("{here} is {kind} and no list"),
                     format!("the path goes on with [{at}]"),

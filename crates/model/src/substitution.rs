@@ -54,15 +54,15 @@ pub struct Substitution {
     chain: Chain,
     /// Parts of the model that numbers are put into, in SI.
     parts: Vec<Component>,
-    leaves: Vec<Leaf>,
+    leaves: Vec<LeafNumber>,
     /// Constants of responses.
-    constants: Vec<Constant>,
+    constants: Vec<NamedConstant>,
     nominal: Checked,
 }
 
 /// A number of the model.
 #[derive(Debug, Clone)]
-struct Leaf {
+struct LeafNumber {
     path: String,
     /// The number of its part, and the steps from there.
     part: usize,
@@ -163,7 +163,7 @@ fn class(value: f64) -> Option<Ordering> {
 
 /// A parameter that a response names, by their indexes.
 #[derive(Debug, Clone, Copy)]
-struct Constant {
+struct NamedConstant {
     response: usize,
     constant: usize,
     parameter: usize,
@@ -231,7 +231,7 @@ impl Substitution {
                 .iter()
                 .map(|pattern| pattern.split('.').collect::<Vec<_>>());
             known.find(|pattern| fits(pattern, &place))?;
-            leaves.push(Leaf {
+            leaves.push(LeafNumber {
                 nominal: *number(&mut parts[part].tree, &steps)?,
                 is_place: is_place(&path),
                 path: one.path,
@@ -244,7 +244,7 @@ impl Substitution {
         let mut constants = Vec::new();
         for (response, own) in nominal.responses.values().enumerate() {
             for (constant, name) in own.parameters.keys().enumerate() {
-                constants.push(Constant {
+                constants.push(NamedConstant {
                     response,
                     constant,
                     parameter: parameters.index(name)?,
@@ -317,7 +317,7 @@ impl Substitution {
 
     /// The value of a parameter that a response names \[SI\], after [`Substitution::put`].
     pub fn value(&self, name: &str, place: &Substituted) -> Option<f64> {
-        let of = |one: &&Constant| {
+        let of = |one: &&NamedConstant| {
             let (_, response) = self.nominal.responses.get_index(one.response)?;
             let (known, _) = response.parameters.get_index(one.constant)?;
             Some(known == name)

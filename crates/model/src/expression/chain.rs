@@ -16,12 +16,12 @@ pub enum Given {
 /// All parameters of a file.
 #[derive(Debug, Clone)]
 pub struct Chain {
-    order: Vec<(usize, Origin)>,
+    order: Vec<(usize, ParameterSource)>,
     depth: usize,
 }
 
 #[derive(Debug, Clone)]
-enum Origin {
+enum ParameterSource {
     Value(f64),
     Expression(Program),
 }
@@ -44,15 +44,17 @@ impl Parameters {
             return None;
         }
         let origin = |index: usize| match &self.written[index] {
-            Written::Value(quantity) => Some(Origin::Value(quantity.value)),
-            Written::Expression(expression) => Some(Origin::Expression(expression.program()?)),
+            Written::Value(quantity) => Some(ParameterSource::Value(quantity.value)),
+            Written::Expression(expression) => {
+                Some(ParameterSource::Expression(expression.program()?))
+            }
             Written::Faulty => None,
         };
         let order = order.into_iter().map(|index| Some((index, origin(index)?)));
-        let order: Vec<(usize, Origin)> = order.collect::<Option<_>>()?;
+        let order: Vec<(usize, ParameterSource)> = order.collect::<Option<_>>()?;
         let depths = order.iter().map(|(_, origin)| match origin {
-            Origin::Value(_) => 0,
-            Origin::Expression(program) => program.depth(),
+            ParameterSource::Value(_) => 0,
+            ParameterSource::Expression(program) => program.depth(),
         });
         Some(Chain {
             depth: depths.max().unwrap_or(0),
@@ -88,8 +90,8 @@ impl Chain {
             let given = room.given[*index];
             let value = match (how, given, origin) {
                 (Given::Values, Some(value), _) => value,
-                (_, _, Origin::Value(value)) => value + given.unwrap_or(0.0),
-                (_, _, Origin::Expression(program)) => {
+                (_, _, ParameterSource::Value(value)) => value + given.unwrap_or(0.0),
+                (_, _, ParameterSource::Expression(program)) => {
                     program.sound_value(&room.values, &mut room.stack) + given.unwrap_or(0.0)
                 }
             };

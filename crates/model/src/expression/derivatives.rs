@@ -43,7 +43,7 @@ pub struct Recorded {
 }
 
 /// Values with derivatives, none where there is a reason in its place.
-struct Values<T> {
+struct KnownValues<T> {
     values: Vec<Option<Quantity<Dual<T>>>>,
     reasons: Vec<Option<String>>,
 }
@@ -64,7 +64,7 @@ impl Parameters {
         self.names.len()
     }
 
-    fn differentiated<T: Real>(&self, deviations: &[T]) -> Values<T> {
+    fn differentiated<T: Real>(&self, deviations: &[T]) -> KnownValues<T> {
         let mut reasons = vec![None; self.names.len()];
         let (values, _) = self.follow(|index, value| {
             let value = match &self.written[index] {
@@ -80,11 +80,11 @@ impl Parameters {
                 })
                 .ok()
         });
-        Values { values, reasons }
+        KnownValues { values, reasons }
     }
 
     /// A quantity; none where no parameter gives it.
-    fn leaf<T: Real>(&self, recorded: &Recorded, known: &Values<T>) -> Option<Leaf<T>> {
+    fn leaf<T: Real>(&self, recorded: &Recorded, known: &KnownValues<T>) -> Option<Leaf<T>> {
         // what can't be read was complained about
         let expression = self.parse(&recorded.text).ok()?;
         expression.parameters().next()?;

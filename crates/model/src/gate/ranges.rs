@@ -39,7 +39,7 @@ pub(super) fn ranges<'t>(
     model: &'t Tree,
     holes: &Holes,
 ) -> (Vec<Complaint>, Vec<(String, Reference<'t>)>) {
-    let mut look = Look {
+    let mut look = RangeCheck {
         holes,
         path: String::new(),
         complaints: Vec::new(),
@@ -54,14 +54,14 @@ pub(super) fn ranges<'t>(
     (look.complaints, look.named)
 }
 
-struct Look<'h, 't> {
+struct RangeCheck<'h, 't> {
     holes: &'h Holes,
     path: String,
     complaints: Vec<Complaint>,
     named: Vec<(String, Reference<'t>)>,
 }
 
-impl<'t> Look<'_, 't> {
+impl<'t> RangeCheck<'_, 't> {
     fn complain(&mut self, message: impl Into<String>) -> &mut Complaint {
         self.complaints.push(Complaint::new(&self.path, message));
         let last = self.complaints.len() - 1;

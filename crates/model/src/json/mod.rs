@@ -18,7 +18,7 @@ const MOST_VALUES: usize = 5_000_000;
 
 /// A fault of syntax at a byte.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Fault {
+pub struct SyntaxFault {
     pub at: usize,
     pub message: String,
     pub hint: Option<&'static str>,
@@ -39,8 +39,8 @@ pub struct Repeat {
 ///
 /// # Errors
 /// The first fault of syntax.
-pub fn parse(text: &str) -> Result<(Node, Vec<Repeat>), Fault> {
-    let mut parser = Parser {
+pub fn parse(text: &str) -> Result<(Node, Vec<Repeat>), SyntaxFault> {
+    let mut parser = JsonParser {
         text,
         at: 0,
         depth: 0,
@@ -61,23 +61,23 @@ pub fn parse(text: &str) -> Result<(Node, Vec<Repeat>), Fault> {
 }
 
 /// A step of the path to the value being read.
-enum Step {
+enum PathStep {
     Key(String),
     Index(usize),
 }
 
-struct Parser<'a> {
+struct JsonParser<'a> {
     text: &'a str,
     at: usize,
     depth: usize,
     values: usize,
-    path: Vec<Step>,
+    path: Vec<PathStep>,
     repeats: Vec<Repeat>,
 }
 
-impl Parser<'_> {
-    fn fault(&self, at: usize, message: impl Into<String>) -> Fault {
-        Fault {
+impl JsonParser<'_> {
+    fn fault(&self, at: usize, message: impl Into<String>) -> SyntaxFault {
+        SyntaxFault {
             at,
             message: message.into(),
             hint: None,
@@ -95,7 +95,7 @@ impl Parser<'_> {
     }
 
     /// Says what stands here instead of what is `wanted`.
-    fn unexpected(&self, wanted: &str) -> Fault {
+    fn unexpected(&self, wanted: &str) -> SyntaxFault {
         let Some(found) = self.text[self.at..].chars().next() else {
             return self.fault(
                 self.at,
@@ -132,14 +132,14 @@ impl Parser<'_> {
             c if c.is_ascii_alphabetic() => Some("text stands in double quotes"),
             _ => None,
         };
-        Fault {
+        SyntaxFault {
             at: self.at,
             message: format!("{found:?} where {wanted} is expected"),
             hint,
         }
     }
 
-    fn value(&mut self) -> Result<Node, Fault> {
+    fn value(&mut self) -> Result<Node, SyntaxFault> {
         let start = self.at;
         self.values += 1;
         if self.values > MOST_VALUES {
@@ -158,7 +158,10 @@ impl Parser<'_> {
         })
     }
 
-    fn nested(&mut self, read: fn(&mut Self) -> Result<Kind, Fault>) -> Result<Kind, Fault> {
+    fn nested(
+        &mut self,
+        read: fn(&mut Self) -> Result<Kind, SyntaxFault>,
+    ) -> Result<Kind, SyntaxFault> {
         if self.depth == DEEPEST {
             return Err(self.fault(self.at, format!("nested more than {DEEPEST} deep")));
         }
@@ -169,7 +172,7 @@ impl Parser<'_> {
         kind
     }
 
-    fn word(&mut self) -> Result<Kind, Fault> {
+    fn word(&mut self) -> Result<Kind, SyntaxFault> {
         for (word, kind) in [
             ("null", Kind::Null),
             ("true", Kind::Bool(true)),
@@ -186,7 +189,7 @@ impl Parser<'_> {
         Err(self.unexpected("a value"))
     }
 
-    fn array(&mut self) -> Result<Kind, Fault> {
+    fn array(&mut self) -> Result<Kind, SyntaxFault> {
         let mut items = Vec::new();
         self.skip_blanks();
         if self.peek() == Some(b']') {
@@ -195,7 +198,7 @@ impl Parser<'_> {
         }
         loop {
             self.skip_blanks();
-            self.path.push(Step::Index(items.len()));
+            self.path.push(PathStep::Index(items.len()));
             items.push(self.value()?);
             self.path.pop();
             self.skip_blanks();
@@ -210,7 +213,7 @@ impl Parser<'_> {
         }
     }
 
-    fn object(&mut self) -> Result<Kind, Fault> {
+    fn object(&mut self) -> Result<Kind, SyntaxFault> {
         let mut members: Box<IndexMap<String, Member>> = Box::default();
         self.skip_blanks();
         if self.peek() == Some(b'}') {
@@ -231,7 +234,7 @@ impl Parser<'_> {
             }
             self.at += 1;
             self.skip_blanks();
-            self.path.push(Step::Key(key.clone()));
+            self.path.push(PathStep::Key(key.clone()));
             let node = self.value()?;
             self.path.pop();
             match members.entry(key) {
@@ -266,9 +269,9 @@ impl Parser<'_> {
 }
 
 /// `joints.b.between[1]`.
-fn render(path: &[Step]) -> String {
+fn render(path: &[PathStep]) -> String {
     path.iter().fold(String::new(), |text, step| match step {
-        Step::Key(key) => join(&text, key),
-        Step::Index(index) => format!("{text}[{index}]"),
+        PathStep::Key(key) => join(&text, key),
+        PathStep::Index(index) => format!("{text}[{index}]"),
     })
 }

@@ -2,10 +2,10 @@
 
 use serde_json::Number;
 
-use super::{Fault, Parser};
+use super::{JsonParser, SyntaxFault};
 use crate::node::excerpt;
 
-impl Parser<'_> {
+impl JsonParser<'_> {
     fn digits(&mut self) -> usize {
         let start = self.at;
         while self.peek().is_some_and(|byte| byte.is_ascii_digit()) {
@@ -14,7 +14,7 @@ impl Parser<'_> {
         self.at - start
     }
 
-    pub(super) fn number(&mut self) -> Result<Number, Fault> {
+    pub(super) fn number(&mut self) -> Result<Number, SyntaxFault> {
         let start = self.at;
         if self.peek() == Some(b'-') {
             self.at += 1;

@@ -1,9 +1,9 @@
 //! Texts of JSON, with their escapes.
 
-use super::{Fault, Parser};
+use super::{JsonParser, SyntaxFault};
 
-impl Parser<'_> {
-    pub(super) fn string(&mut self) -> Result<String, Fault> {
+impl JsonParser<'_> {
+    pub(super) fn string(&mut self) -> Result<String, SyntaxFault> {
         let start = self.at;
         self.at += 1;
         let mut out = String::new();
@@ -38,7 +38,7 @@ impl Parser<'_> {
         }
     }
 
-    fn escape(&mut self) -> Result<char, Fault> {
+    fn escape(&mut self) -> Result<char, SyntaxFault> {
         let start = self.at;
         self.at += 2;
         let byte = self.text.as_bytes().get(start + 1).copied();
@@ -60,8 +60,8 @@ impl Parser<'_> {
     }
 
     /// `\uXXXX`, or two of them that are a surrogate pair.
-    fn unicode(&mut self, start: usize) -> Result<char, Fault> {
-        let broken = || Fault {
+    fn unicode(&mut self, start: usize) -> Result<char, SyntaxFault> {
+        let broken = || SyntaxFault {
             at: start,
             message: "a broken \\u escape".into(),
             hint: Some("\\u and four hex digits"),

@@ -13,7 +13,7 @@ pub struct Catalogue {
     pub(super) points: Vec<String>,
     /// All other points.
     pub(super) unwanted: Vec<String>,
-    pub(super) joints: Vec<Joint>,
+    pub(super) joints: Vec<JointNames>,
     /// With what each drives.
     pub(super) drivers: Vec<(String, Option<Dimension>)>,
     pub(super) loads: Vec<Load>,
@@ -39,7 +39,7 @@ pub(super) struct Load {
 }
 
 #[derive(Debug, Clone)]
-pub(super) struct Joint {
+pub(super) struct JointNames {
     pub(super) name: String,
     /// Whether it slides.
     pub(super) slides: bool,
@@ -59,7 +59,7 @@ impl Catalogue {
             catalogue.body(name, body.points.keys().map(String::as_str), &wanted);
         }
         for (name, joint) in &model.joints {
-            catalogue.joints.push(Joint {
+            catalogue.joints.push(JointNames {
                 name: name.clone(),
                 slides: joint.kind.guide().is_some(),
                 turns: joint.kind.turns(),
@@ -158,7 +158,7 @@ impl Catalogue {
         for (name, member) in members("joints") {
             let slides = matches!(kind(&member.node).as_deref(), Some("prismatic" | "slot"));
             let turns = matches!(kind(&member.node).as_deref(), Some("revolute" | "slot"));
-            catalogue.joints.push(Joint {
+            catalogue.joints.push(JointNames {
                 name: name.clone(),
                 slides,
                 turns,

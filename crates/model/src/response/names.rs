@@ -1,6 +1,6 @@
 //! All names of results that a model can have, whatever it computes.
 
-use super::catalogue::{Catalogue, Joint, Load};
+use super::catalogue::{Catalogue, JointNames, Load};
 use super::facts::{ClearanceSum, EVENTS, Fact, Item, List};
 use crate::dimension::{Dimension, Powers, powers};
 use crate::error::Complaint;
@@ -82,7 +82,7 @@ fn of(table: &[(&str, Dimension)], word: &str) -> Option<Powers> {
     Some(row.1.powers())
 }
 
-impl Joint {
+impl JointNames {
     /// The last words of columns that it has where they are asked for.
     fn shown(&self) -> impl Iterator<Item = &'static str> {
         let turn = TURN.into_iter().filter(|_| self.turns);

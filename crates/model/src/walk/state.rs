@@ -3,7 +3,7 @@
 use crate::tree::Tree;
 
 use super::Walk;
-use super::table::Column;
+use super::table::EntryColumn;
 use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
 use crate::expression::{Binary, Misfit, Quantity, is_expression};
@@ -125,7 +125,7 @@ impl Walk<'_> {
         let plain = unit
             .dimension()
             .map(|one: Dimension| self.units().derivative(one, 0).plain);
-        let column = Column {
+        let column = EntryColumn {
             powers,
             plain: Some(plain.unwrap_or(Unit::si(powers))),
         };

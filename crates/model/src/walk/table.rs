@@ -16,7 +16,7 @@ use crate::words;
 
 /// A column of a table.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Column {
+pub(super) struct EntryColumn {
     /// Its dimension.
     pub powers: Powers,
     /// The unit of plain numbers; none where these are not known to be anything but zero.
@@ -213,7 +213,7 @@ impl Walk<'_> {
         items: &[Node],
         index: usize,
         (path, plain): (&str, Option<(Powers, Unit)>),
-    ) -> Column {
+    ) -> EntryColumn {
         if let Some(node) = written
             && let Some(text) = node.as_str()
         {
@@ -223,7 +223,7 @@ impl Walk<'_> {
                 Unit::si(Powers::default())
             });
             let powers = read.powers;
-            return Column {
+            return EntryColumn {
                 powers,
                 plain: Some(read),
             };
@@ -238,17 +238,17 @@ impl Walk<'_> {
             Unit::parse(text).ok().map(|unit| unit.powers)
         });
         match (brought, plain) {
-            (Some(powers), _) => Column {
+            (Some(powers), _) => EntryColumn {
                 powers,
                 plain: None,
             },
-            (None, Some((powers, unit))) => Column {
+            (None, Some((powers, unit))) => EntryColumn {
                 powers,
                 plain: Some(unit),
             },
             (None, None) => {
                 let powers = Powers::default();
-                Column {
+                EntryColumn {
                     powers,
                     plain: Some(Unit::si(powers)),
                 }
@@ -257,7 +257,7 @@ impl Walk<'_> {
     }
 
     /// A number of a column, in SI.
-    pub(super) fn entry(&mut self, node: &Node, column: Column, path: &str) -> Option<f64> {
+    pub(super) fn entry(&mut self, node: &Node, column: EntryColumn, path: &str) -> Option<f64> {
         let read = match &node.kind {
             Kind::Number(number) => self.plain_entry(&number.to_string(), column),
             Kind::String(text) if is_expression(text) => {
@@ -293,7 +293,7 @@ impl Walk<'_> {
     }
 
     /// A plain number of a column; refused where that has no unit for it.
-    fn plain_entry(&self, number: &str, column: Column) -> Result<f64, Complaint> {
+    fn plain_entry(&self, number: &str, column: EntryColumn) -> Result<f64, Complaint> {
         if let Some(unit) = column.plain {
             return Ok(unit.to_si(number));
         }
@@ -308,7 +308,7 @@ impl Walk<'_> {
 }
 
 /// A number with its unit.
-fn text_entry(text: &str, column: Column) -> Result<f64, Complaint> {
+fn text_entry(text: &str, column: EntryColumn) -> Result<f64, Complaint> {
     if let Some(meant) = with_decimal_point(text) {
         let hint = format!("a decimal point is a point: {meant:?}");
         return Err(Complaint::new("", "a number has no comma").hint(hint));
@@ -325,7 +325,7 @@ fn text_entry(text: &str, column: Column) -> Result<f64, Complaint> {
 }
 
 /// Something else is wanted in a column.
-fn wanted(found: &str, column: Column) -> Complaint {
+fn wanted(found: &str, column: EntryColumn) -> Complaint {
     let place = Quantity::si(0.0, column.powers).words();
     Complaint::new("", format!("this is {found}, where {place} is wanted"))
 }
