@@ -140,9 +140,9 @@ impl Latch {
 }
 
 /// What only some kinds have: a kind that is not named here has none of it.
-#[doc(hidden)]
 impl JointKind {
     /// Direction along which it slides, fixed in the first body.
+    #[doc(hidden)]
     pub fn guide(&self) -> Option<[f64; 2]> {
         match self {
             JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => Some(*axis),
@@ -151,6 +151,7 @@ impl JointKind {
     }
 
     /// Its clearance.
+    #[doc(hidden)]
     pub fn clearance(&self) -> Option<&Clearance> {
         match self {
             JointKind::Revolute { clearance, .. } => clearance.as_deref(),
@@ -159,6 +160,7 @@ impl JointKind {
     }
 
     /// Friction beside that of a clearance.
+    #[doc(hidden)]
     pub fn friction(&self) -> Option<&Friction> {
         match self {
             JointKind::Revolute { friction, .. }
