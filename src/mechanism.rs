@@ -370,7 +370,7 @@ impl Mechanism {
     pub(crate) fn set_all(&self, more: impl IntoIterator<Item = String>) -> Result<Self, Error> {
         let more: Vec<String> = more.into_iter().collect();
         let given: Vec<(&str, f64)> = self.given.iter().map(|one| self.named(one)).collect();
-        Mechanism::load(self.file.with(&more)?, &given)
+        Mechanism::load(self.file.set(more)?, &given)
     }
 }
 
