@@ -5,21 +5,14 @@
 //! the documentation because only the packages beside use it. Re-exports are followed into the package and the module that they come from. Variants of enums
 //! and their fields are counted beside: they say what values there are, not what can be called.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 
 use syn::{Attribute, Fields, ImplItem, Item};
 
-use super::items::{
-    ALL, File, Modules, as_use, attributes, is_hidden, is_public, load, name, names, parse,
-    visibility,
-};
+use super::items::{ALL, attributes, is_hidden, is_public, name, names, visibility};
 use super::source::root;
-
-/// Packages, by the name that `use` knows them by.
-struct Sources {
-    packages: BTreeMap<String, Modules>,
-}
+use super::sources::{Place, Sources};
 
 /// What was counted.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -30,69 +23,7 @@ struct Face {
     undocumented: BTreeSet<String>,
 }
 
-/// The path of an item: package, modules, name.
-type Place = (String, Vec<String>, String);
-
 impl Sources {
-    fn parse(packages: &[(&str, &File)]) -> Self {
-        let read = |(name, file): &(&str, &File)| {
-            let mut modules = Modules::new();
-            let text = file("lib.rs").expect("a root");
-            load(&mut modules, Vec::new(), parse(&text).items, file);
-            (name.to_string(), modules)
-        };
-        Sources {
-            packages: packages.iter().map(read).collect(),
-        }
-    }
-
-    /// Where a path leads that stands in a module, through re-exports; none where that is no package of ours.
-    fn resolve(&self, package: &str, module: &[String], path: &[String]) -> Option<Place> {
-        let (first, rest) = path.split_first()?;
-        match first.as_str() {
-            "crate" => return self.resolve_from(package, &[], rest),
-            "self" => return self.resolve_from(package, module, rest),
-            "super" => return self.resolve(package, module.split_last()?.1, rest),
-            other if self.packages.contains_key(other) && !rest.is_empty() => {
-                return self.resolve_from(other, &[], rest);
-            }
-            _ => {}
-        }
-        self.resolve_from(package, module, path)
-    }
-
-    /// The same, from the module on.
-    fn resolve_from(&self, package: &str, module: &[String], path: &[String]) -> Option<Place> {
-        let (first, rest) = path.split_first()?;
-        let items = self.packages.get(package)?.get(module)?;
-        let inner = [module, std::slice::from_ref(first)].concat();
-        if !rest.is_empty() && self.packages[package].contains_key(&inner) {
-            return self.resolve_from(package, &inner, rest);
-        }
-        let here = || Some((package.to_string(), module.to_vec(), first.clone()));
-        let is_it = |item: &&Item| rest.is_empty() && name(item).is_some_and(|own| own == *first);
-        // A function may have the name of the private module that it comes from.
-        if items
-            .iter()
-            .filter(is_it)
-            .any(|item| !matches!(item, Item::Mod(_)))
-        {
-            return here();
-        }
-        for (known, target) in items.iter().filter_map(as_use).flat_map(names) {
-            let whole = match known.as_str() {
-                ALL => [&target[..], path].concat(),
-                known if known == first => [&target[..], rest].concat(),
-                _ => continue,
-            };
-            let found = (whole != path).then(|| self.resolve(package, module, &whole));
-            if let Some(found) = found.flatten() {
-                return Some(found);
-            }
-        }
-        items.iter().find(is_it).and_then(|_| here())
-    }
-
     /// Counts what a module shows.
     fn count_module(&self, package: &str, module: &[String], face: &mut Face) {
         for item in &self.packages[package][module] {
@@ -239,16 +170,19 @@ fn face() -> Face {
     let of = |folder: &'static str| {
         move |file: &str| fs::read_to_string(root().join(folder).join(file)).ok()
     };
-    let sources = Sources::parse(&[
-        ("linkdyn", &of("src")),
-        ("linkdyn_ask", &of("crates/ask/src")),
-        ("linkdyn_engine", &of("crates/engine/src")),
-        ("linkdyn_linear", &of("crates/linear/src")),
-        ("linkdyn_model", &of("crates/model/src")),
-        ("linkdyn_output", &of("crates/output/src")),
-        ("linkdyn_picture", &of("crates/picture/src")),
-        ("linkdyn_study", &of("crates/study/src")),
-    ]);
+    let sources = Sources::parse(
+        &[
+            ("linkdyn", &of("src")),
+            ("linkdyn_ask", &of("crates/ask/src")),
+            ("linkdyn_engine", &of("crates/engine/src")),
+            ("linkdyn_linear", &of("crates/linear/src")),
+            ("linkdyn_model", &of("crates/model/src")),
+            ("linkdyn_output", &of("crates/output/src")),
+            ("linkdyn_picture", &of("crates/picture/src")),
+            ("linkdyn_study", &of("crates/study/src")),
+        ],
+        is_hidden,
+    );
     let mut face = Face::default();
     sources.count_module("linkdyn", &[], &mut face);
     face
@@ -315,7 +249,7 @@ fn exports_are_followed_and_each_item_counts_once() {
         };
         Some(text.to_string())
     };
-    let sources = Sources::parse(&[("front", &front), ("back", &back)]);
+    let sources = Sources::parse(&[("front", &front), ("back", &back)], is_hidden);
     let mut face = Face::default();
     sources.count_module("front", &[], &mut face);
     let expected = [

@@ -13,11 +13,20 @@ pub type File<'f> = dyn Fn(&str) -> Option<String> + 'f;
 /// What a `use` of everything brings.
 pub const ALL: &str = "*";
 
-/// Takes a module and those below it, as far as they are part of the library. A file's own documentation is its module's.
-pub fn load(modules: &mut Modules, path: Vec<String>, mut items: Vec<Item>, file: &File) {
+/// What of the modules is left out, by its attributes.
+pub type LeavesOut = fn(&[Attribute]) -> bool;
+
+/// Takes a module and those below it, but for what is left out. A file's own documentation is its module's.
+pub fn load(
+    modules: &mut Modules,
+    path: Vec<String>,
+    mut items: Vec<Item>,
+    file: &File,
+    leaves_out: LeavesOut,
+) {
     for item in &mut items {
         let Item::Mod(item) = item else { continue };
-        if is_hidden(&item.attrs) {
+        if leaves_out(&item.attrs) {
             continue;
         }
         let inner = [&path[..], &[item.ident.to_string()]].concat();
@@ -31,7 +40,7 @@ pub fn load(modules: &mut Modules, path: Vec<String>, mut items: Vec<Item>, file
                 parsed.items
             }
         };
-        load(modules, inner, below, file);
+        load(modules, inner, below, file, leaves_out);
     }
     modules.insert(path, items);
 }

@@ -7,8 +7,6 @@ use std::path::{Path, PathBuf};
 pub struct Source {
     /// From the root of the workspace, with `/`.
     pub path: String,
-    /// Its lines as they are.
-    pub lines: Vec<String>,
     /// Its lines without line comments.
     pub code: Vec<String>,
 }
@@ -43,10 +41,9 @@ fn read(file: &Path) -> Source {
     let below = file.strip_prefix(root()).expect("below the root");
     let path = below.to_string_lossy().replace('\\', "/");
     let text = fs::read_to_string(file).expect("readable");
-    let lines: Vec<String> = text.lines().map(String::from).collect();
-    let code = lines
-        .iter()
+    let code = text
+        .lines()
         .map(|line| line.split("//").next().unwrap_or_default().to_string())
         .collect();
-    Source { path, lines, code }
+    Source { path, code }
 }
