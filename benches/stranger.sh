@@ -85,7 +85,7 @@ cd "$place/linkdyn"
 second="cargo test --release"
 stands README.md "$second"
 stage "second command: $second" $second
-install="cargo install --path . --locked --profile dist"
+install="cargo install --path . --locked --profile dist --features dist"
 stands README.md "$install"
 stage "install: $install" $install --root "$place/installed"
 bytes=$(wc -c < "$place/installed/bin/linkdyn")

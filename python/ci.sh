@@ -31,8 +31,8 @@ stage() {
   "$@"
 }
 
-# With the profile and the features of the tests, which have compiled everything but what is Python's own.
-stage maturin build --quiet --release --locked --features as-tested --out "$place/wheels"
+# With the profile of the tests, which have compiled everything but what is Python's own.
+stage maturin build --quiet --release --locked --out "$place/wheels"
 wait "$installing"
 # The source distribution has all that its manifests name.
 stage maturin sdist --out "$place/sdist" 2> "$place/sdist.log" || { cat "$place/sdist.log" >&2; exit 1; }
@@ -42,6 +42,7 @@ uv pip install --quiet --no-deps "$place"/wheels/linkdyn-*.whl
 
 # The package that is tested is the installed one, not the folder beside the tests.
 cp -r tests examples pyproject.toml "$place"
+cp ../tests/cases/schema.json "$place/tests"
 mkdir "$place/docs"
 cp ../docs/{cluster,python}.md "$place/docs"
 stage ruff check .

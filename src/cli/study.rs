@@ -95,6 +95,11 @@ What responses may say: linkdyn docs format. What the files hold: linkdyn docs s
 
 /// Runs all variants, sums up, tells.
 pub fn execute(options: &Options) -> Result<Exit, Failure> {
+    let of_merge = matches!(options.merge, Some(Merge::Merge { parquet: true, .. }));
+    if (options.parquet || of_merge) && !cfg!(feature = "parquet") {
+        let why = "--parquet: this command was built without it; build it with --features dist, or read variants.csv";
+        return Err(BadInput(vec![why.into()]));
+    }
     if let Some(Merge::Merge {
         directory,
         json,

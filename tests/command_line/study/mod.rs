@@ -242,12 +242,18 @@ fn bytes_do_not_depend_on_who_computed_them() {
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(0), "{arguments:?}: {said}");
     };
-    run(&with(&["-o", "one", "--threads", "1", "--parquet"]));
-    run(&with(&["-o", "two", "--threads", "2", "--parquet"]));
+    // Nothing is added where the command was built without it.
+    let columns: &[&str] = if cfg!(feature = "parquet") {
+        &["--parquet"]
+    } else {
+        &[]
+    };
+    run(&with(&[&["-o", "one", "--threads", "1"], columns].concat()));
+    run(&with(&[&["-o", "two", "--threads", "2"], columns].concat()));
     for shard in ["7/7", "3/7", "1/7", "2/7", "6/7", "5/7", "4/7"] {
         run(&with(&["-o", "parts", "--shard", shard]));
     }
-    run(&["merge", "parts", "--parquet"]);
+    run(&[&["merge", "parts"], columns].concat());
     for attempt in 0..20 {
         let mut child = command(&scratch, &with(&["-o", "killed"]))
             .stdout(Stdio::null())
@@ -260,8 +266,9 @@ fn bytes_do_not_depend_on_who_computed_them() {
         }
         let _ = child.wait();
     }
-    run(&with(&["-o", "killed", "--parquet"]));
-    for file in ["variants.csv", "variants.parquet", "study.json"] {
+    run(&with(&[&["-o", "killed"], columns].concat()));
+    let by_columns = columns.first().map(|_| "variants.parquet");
+    for file in ["variants.csv", "study.json"].into_iter().chain(by_columns) {
         let read =
             |directory: &str| fs::read(scratch.0.join(directory).join(file)).expect("a file");
         let one = read("one");
@@ -318,4 +325,21 @@ fn signals_to_end_keep_what_is_done() {
         // a row has some 40 bytes, and there were many
         assert!(kept.into_iter().any(|size| size > 2000), "{signal}");
     }
+}
+
+/// A command without it says so before it computes.
+#[test]
+#[cfg(not(feature = "parquet"))]
+fn a_table_by_columns_is_refused_where_it_was_not_built() {
+    let scratch = Scratch::new("study-parquet");
+    for arguments in [
+        &["slider-crank", "-o", "out", "--parquet"][..],
+        &["merge", "out", "--parquet"],
+    ] {
+        let output = study(&scratch, arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains("--features dist"), "{said}");
+    }
+    assert!(!scratch.0.join("out").exists());
 }
