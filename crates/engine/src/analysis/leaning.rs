@@ -6,8 +6,8 @@
 use super::assembly::Assembled;
 use super::control::{Control, Stop as Failed};
 use super::ends::{BEYOND, seen};
+use super::equilibrium::{balance, start};
 use super::sample::{ContactSample, Sample};
-use super::statics::{balance, start};
 use crate::element::Kinematics;
 use crate::element::pair::{ContactId, Hold, Pair, Surface};
 use crate::element::quantity::Measured;

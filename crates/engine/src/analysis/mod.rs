@@ -17,6 +17,7 @@ pub mod derived;
 pub mod driven;
 mod dynamics;
 mod ends;
+mod equilibrium;
 mod family;
 mod in_line;
 mod instants;

@@ -11,7 +11,8 @@
 
 use super::assembly::Assembled;
 use super::control::{Control, Stop};
-use super::statics::{balance, described, refuse, start, warning};
+use super::equilibrium::{balance, start};
+use super::statics::{described, refuse, warning};
 use super::words::friction_left_out;
 use super::{ends, leaning};
 use crate::element::Axis;

@@ -2,7 +2,7 @@
 
 use super::derived::{Derived, Wanted};
 use super::question::Question;
-use super::run::Prepared;
+use super::responses::Responses;
 use crate::system::System;
 use linkdyn_output::Column;
 
@@ -24,9 +24,13 @@ pub(super) struct Needed<'p> {
 
 impl<'p> Needed<'p> {
     /// Of runs with these columns.
-    pub fn new(prepared: &'p Prepared, columns: &[Column]) -> Self {
-        let (system, question) = prepared.parts();
-        let needed = prepared.responses().needed().iter();
+    pub fn new(
+        system: &'p System,
+        question: &Question,
+        responses: &Responses,
+        columns: &[Column],
+    ) -> Self {
+        let needed = responses.needed().iter();
         let indices: Vec<usize> = needed.map(|column| column.index()).collect();
         if indices.iter().all(|&index| index < columns.len()) {
             return Needed {

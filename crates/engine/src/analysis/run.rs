@@ -208,7 +208,12 @@ impl Prepared {
             report,
             between,
         } = solved;
-        let mut wanted = Needed::new(self, &trajectory.columns);
+        let mut wanted = Needed::new(
+            &self.system,
+            &self.question,
+            &self.responses,
+            &trajectory.columns,
+        );
         let channels = Channels::new(&self.system, self.question.contents);
         let mut whole = Vec::with_capacity(trajectory.columns.len());
         let mut motion = between.take();

@@ -7,7 +7,7 @@
 //!
 //! It is no contact that could touch: an event closes it, whatever its rate J v is then (see `analysis/dynamics/impulses/closing`).
 
-use super::pair::Reading;
+use super::touch::Reading;
 use super::{Constraint, Kinematics, Measure};
 use linkdyn_linear::math::Vec2;
 use std::fmt;

@@ -23,9 +23,9 @@
 //! ```
 
 use super::journal::Journal;
-use super::pair::{Compliant, Contact, ContactId, Reading};
 use super::span::all_pairs;
 use super::straight::{Rolling, Straight};
+use super::touch::{Compliant, Contact, ContactId, Reading};
 use super::{Applied, Constraint, Kinematics, Marker, Slope};
 use linkdyn_linear::math::Vec2;
 use std::f64::consts::{PI, TAU};

@@ -4,12 +4,9 @@
 //! Symbols as in [`super::journal`], and φ_e the angle of e. On the surface δ = 0, and the arms R_b and r = R_b − c are constant.
 
 use super::journal::Journal;
-use super::pair::{ContactId, Shape};
 use super::span::{BOTH, Span, all_pairs};
-use super::{
-    Applied, Axis, BodyId, Constraint, ConstraintDependentForce, Entry, Kinematics, Marker,
-    Measure, Slope, direction,
-};
+use super::touch::ContactId;
+use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
 use linkdyn_linear::math::{Vec2, perp};
 use std::f64::consts::{PI, TAU};
 
@@ -40,7 +37,7 @@ pub struct Following {
 /// γ₂ = (c/d) (t·(−ω₂² ρ₂ + ω₁² ρ₁) − 2 (t·ė)(n·ė)/d)
 /// ```
 ///
-/// No sliding is a holonomic constraint: what it keeps, A, is the anchor of [`Contact`](super::pair::Contact), of the instant at which sliding ended. The
+/// No sliding is a holonomic constraint: what it keeps, A, is the anchor of [`Contact`](super::touch::Contact), of the instant at which sliding ended. The
 /// multipliers are N and T \[N\]. Friction holds the journal while |T| ≤ μ N.
 #[derive(Debug, Clone, Copy)]
 pub struct Sticking {
@@ -50,46 +47,6 @@ pub struct Sticking {
     pub bearing_radius: f64,
     /// Whose anchor it is.
     pub id: ContactId,
-}
-
-/// Friction of rigid surfaces that slide on each other: T = −μ N s along t, at the contact on both bodies, with the way s = ±1 in
-/// which they slide.
-#[derive(Debug, Clone)]
-pub struct FollowingFriction {
-    /// What they are.
-    pub shape: Shape,
-    /// μ [–].
-    pub coefficient: f64,
-    /// Whose way of sliding it is.
-    pub id: ContactId,
-}
-
-impl ConstraintDependentForce for FollowingFriction {
-    fn apply_unit(&self, at: &Kinematics, to: &mut Applied) {
-        let reading = self.shape.read(at);
-        self.shape.press(at, &reading, [0.0, 1.0], to);
-    }
-
-    fn size(&self, at: &Kinematics, _memory: f64, lambda: &[f64], slope: &mut [f64]) -> f64 {
-        slope[0] = -self.coefficient * f64::from(at.contacts[self.id.0].piece);
-        slope[0] * lambda[0]
-    }
-
-    fn is_straight(&self) -> bool {
-        true
-    }
-
-    fn reaction(&self, at: &Kinematics, size: f64) -> (Vec2, f64) {
-        (perp(self.shape.read(at).towards) * size, 0.0)
-    }
-
-    fn memory_scale(&self) -> Option<f64> {
-        None
-    }
-
-    fn memory_rate(&self, _at: &Kinematics, _memory: f64) -> f64 {
-        0.0
-    }
 }
 
 impl Journal {

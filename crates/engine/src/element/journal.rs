@@ -18,8 +18,8 @@
 //!
 //! N by [`crate::contact::normal`], T by [`crate::contact::friction`] (see [`super::pair`]).
 
-use super::pair::{Compliant, Contact, Reading};
 use super::span::{BOTH, Span, all_pairs};
+use super::touch::{Compliant, Contact, Reading};
 use super::{Applied, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
 use linkdyn_linear::math::{Vec2, perp};
 

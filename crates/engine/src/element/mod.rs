@@ -42,20 +42,22 @@ pub mod prismatic;
 pub mod quantity;
 pub mod rack;
 pub mod revolute;
+pub mod sliding;
 pub mod slot;
 pub(crate) mod span;
 pub mod spring;
 pub mod stop;
 pub mod straight;
 pub mod torsion_spring;
+pub mod touch;
 pub mod yielding;
 
 pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
 
 use crate::motion::Jet;
 use linkdyn_linear::math::{Vec2, perp};
-use pair::Contact;
 use std::sync::Arc;
+use touch::Contact;
 
 /// Place of a body at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -22,10 +22,10 @@
 //! and while they do not, δ = 0. A lock holds from both sides, N of either sign, from one event until another; a one-way clutch
 //! holds against δ̇ > 0 alone, N ≥ 0.
 
-use super::pair::{Compliant, Contact, ContactId, Reading};
 use super::prismatic::Guide;
 use super::quantity::Measured;
 use super::span::{BOTH, Span, all_pairs, upper_pairs};
+use super::touch::{Compliant, Contact, ContactId, Reading};
 use super::{Applied, Axis, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
 use linkdyn_linear::math::Vec2;
 

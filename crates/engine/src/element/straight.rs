@@ -1,17 +1,17 @@
 //! A straight piece of an outline under a round tip, and the tip that rolls on it.
 //!
-//! Symbols as in [`super::edge`]. With A of [`Contact`](super::pair::Contact), a tip that rolls keeps
+//! Symbols as in [`super::edge`]. With A of [`Contact`](super::touch::Contact), a tip that rolls keeps
 //!
 //! ```text
 //! φ = [ δ ]                                          (2)  [m]
 //!     [ A − (t·(P − E) + r (θ₂ − θ₁)) ]
 //! ```
 
-use super::pair::{Compliant, Contact, ContactId, Reading};
 use super::prismatic::Guide;
 use super::quantity::Measured;
 use super::span::BOTH;
 use super::stop::{BENT, Side, Stop, Way, index};
+use super::touch::{Compliant, Contact, ContactId, Reading};
 use super::{Applied, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 

@@ -6,9 +6,6 @@ use crate::element::pair::{ContactId, Pair, Shape};
 use crate::element::stop::Stop;
 use std::sync::Arc;
 
-/// The lower and the upper stop of a joint, its one-way clutch, and its lock.
-pub(crate) type Ends = [Option<ContactId>; 4];
-
 /// Where the one-way clutch stands among them, and the lock.
 pub(crate) const ONE_WAY: usize = 2;
 pub(crate) const LOCK: usize = 3;

@@ -8,9 +8,11 @@ use crate::element::journal::Bearing;
 use crate::element::pair::ContactId;
 use crate::element::revolute::Revolute;
 use crate::element::{BodyId, Marker};
-use crate::system::Ends;
 use std::ops::Range;
 use std::sync::Arc;
+
+/// The lower and the upper stop of a joint, its one-way clutch, and its lock.
+pub(crate) type Ends = [Option<ContactId>; 4];
 
 /// A joint's numbers beyond its constraint.
 #[derive(Debug, Clone)]

@@ -26,7 +26,7 @@ mod states;
 mod timed;
 
 pub use block::Block;
-pub(crate) use contacts::{Ends, LOCK, ONE_WAY};
+pub(crate) use contacts::{LOCK, ONE_WAY};
 pub use eval::{Evaluation, Inputs};
 pub use joint::JointData;
 pub use mass::Mass;

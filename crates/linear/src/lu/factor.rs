@@ -2,7 +2,8 @@
 
 use super::super::triangle::{Entry, NONE};
 use super::frozen::Matrix;
-use super::{PIVOT_THRESHOLD, SINGULAR_RATIO, Singular, SparseLu, magnitude};
+use super::pivot::{PIVOT_THRESHOLD, SINGULAR_RATIO, magnitude};
+use super::{Singular, SparseLu};
 
 impl SparseLu {
     /// Factors with a new choice of pivots, which [`SparseLu::refactor`] then keeps.

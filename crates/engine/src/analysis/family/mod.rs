@@ -32,6 +32,7 @@
 mod along;
 mod around;
 mod beside;
+mod ended;
 mod mechanisms;
 mod needs;
 mod resting;
@@ -44,9 +45,9 @@ use super::question::Kind;
 use super::responses::Responses;
 use super::run::Prepared;
 use beside::Beside;
+pub use ended::Ended;
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Given, Loaded, Source, Substitution};
-use linkdyn_output::Status;
 use mechanisms::Mechanisms;
 use needs::Needs;
 use resting::Resting;
@@ -105,25 +106,6 @@ impl Ways {
             }
         };
         way.unwrap_or(Ways::Alone)
-    }
-}
-
-/// How a variant ended.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ended {
-    /// How the run ended.
-    pub status: Status,
-    /// Number of the first response without value.
-    pub missing: Option<usize>,
-}
-
-impl Ended {
-    /// Of a run that came to its end.
-    fn whole(responses: &[f64]) -> Self {
-        Ended {
-            status: Status::Completed,
-            missing: responses.iter().position(|value| value.is_nan()),
-        }
     }
 }
 

@@ -1,13 +1,13 @@
 //! A variant at rest: the equilibrium of `statics`, and its derivatives.
 
-use super::Ended;
 use super::around::Around;
+use super::ended::Ended;
 use super::mechanisms::Mechanisms;
 use super::needs::{Needs, Room, State, duals};
 use super::slopes::{Along, Slopes, Wanted};
 use crate::analysis::control::{Control, Stop};
 use crate::analysis::responses::{Evaluation, Responses};
-use crate::analysis::statics;
+use crate::analysis::{equilibrium, statics};
 use crate::mechanism::equilibrium::Stability;
 use crate::mechanism::held::Held;
 use crate::system::System;
@@ -86,8 +86,8 @@ impl<'f> Resting<'f> {
     /// Moves a mechanism into its equilibrium, and reads the row there.
     fn rest(&mut self, system: &System, values: &[f64], control: &Control) -> Result<(), Stop> {
         statics::refuse(system)?;
-        let (assembled, mut held) = statics::start(system, false)?;
-        let balance = statics::balance(&mut held, &assembled, control)?;
+        let (assembled, mut held) = equilibrium::start(system, false)?;
+        let balance = equilibrium::balance(&mut held, &assembled, control)?;
         self.read(&mut held);
         self.evaluation.row(&self.room.values);
         self.kept = self.keeps.then(|| Kept {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{DIGITS, moving};
+use super::bodies::{DIGITS, moving};
 use linkdyn_model::display::number;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{DriverKind, JointKind, Model, Motion};

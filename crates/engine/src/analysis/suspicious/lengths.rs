@@ -1,6 +1,6 @@
 //! Slips that show beside the rest of the mechanism: a length or a centre of mass a hundred times off.
 
-use super::{DIGITS, moving};
+use super::bodies::{DIGITS, extent, moving, points};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{Body, GROUND, Model};
@@ -17,23 +17,6 @@ const LEAST_LENGTHS: usize = 3;
 const COM_BESIDE: f64 = 1.0 / 500.0;
 /// Millimetres in a metre: how much too small metres are among millimetres [–].
 const THOUSAND: f64 = 1000.0;
-
-fn points(body: &Body) -> impl Iterator<Item = Vec2> {
-    body.points.values().map(|&point| Vec2::from(point))
-}
-
-/// Largest distance of two points of a body \[m\]; zero where it has one or none.
-pub(super) fn extent(body: &Body) -> f64 {
-    let low = points(body).fold(Vec2::repeat(f64::INFINITY), |low, point| low.inf(&point));
-    let high = points(body).fold(Vec2::repeat(f64::NEG_INFINITY), |high, point| {
-        high.sup(&point)
-    });
-    if body.points.len() < 2 {
-        0.0
-    } else {
-        (high - low).norm()
-    }
-}
 
 /// The middle one of the mechanism's lengths: of bodies, from their centres of mass to their points, between their drawn
 /// places.

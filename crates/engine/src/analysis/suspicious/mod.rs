@@ -3,6 +3,7 @@
 //! Each bound is generous: what lies beyond it is rarely meant, what lies within it may be wrong all the same.
 
 mod angles;
+mod bodies;
 mod lengths;
 mod pressures;
 mod times;
@@ -11,11 +12,11 @@ use std::f64::consts::TAU;
 
 use crate::analysis::instants::MOST_OUTPUTS;
 use crate::system::compile::law;
-use lengths::extent;
+use bodies::{DIGITS, extent, moving};
 use linkdyn_model::display::number;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{
-    Analysis, AnalysisKind, Body, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value,
+    Analysis, AnalysisKind, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value,
 };
 pub(super) use times::tables;
 
@@ -59,19 +60,11 @@ pub fn suspicious(model: &Model, degrees: bool) -> Vec<Complaint> {
     [lengths, found].concat()
 }
 
-/// Moving bodies with their names.
-fn moving(model: &Model) -> impl Iterator<Item = (&String, &Body)> {
-    model.bodies.iter().filter(|(name, _)| *name != GROUND)
-}
-
 /// The middle one of some positive values.
 fn middle(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     values.get(values.len().checked_sub(1)? / 2).copied()
 }
-
-/// Significant digits: enough to see a slip.
-const DIGITS: usize = 4;
 
 fn masses(model: &Model, found: &mut Vec<Complaint>) {
     let masses: Vec<(&String, f64)> = moving(model)

@@ -1,6 +1,6 @@
 //! Tables of another time than the run.
 
-use super::DIGITS;
+use super::bodies::DIGITS;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{ForceKind, Model, Motion, Value};
 
