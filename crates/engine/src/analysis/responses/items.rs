@@ -1,6 +1,6 @@
 //! Contacts, events, wear and numbers of a run, as its report has them.
 
-use super::answer::Reason;
+use super::reason::Reason;
 use linkdyn_model::response::{ClearanceSum, EVENTS, Fact, Item, List, Program, Reduction};
 use linkdyn_output::{ClearanceSums, Event, Report, Status};
 

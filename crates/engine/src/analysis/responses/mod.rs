@@ -16,13 +16,15 @@
 mod answer;
 mod crossing;
 mod items;
+mod reason;
 mod running;
 mod slopes;
 mod top;
 mod words;
 
-pub use answer::{Answer, Reason, to_json};
+pub use answer::{Answer, to_json};
 pub use linkdyn_model::response::Dual;
+pub use reason::Reason;
 pub use words::Response;
 
 use items::{Listed, fact};

@@ -1,7 +1,7 @@
 //! A reduction over rows, as far as they came.
 
-use super::answer::Reason;
 use super::crossing::{self, Known};
+use super::reason::Reason;
 use super::top::{self, Point};
 use linkdyn_model::response::Reduction;
 

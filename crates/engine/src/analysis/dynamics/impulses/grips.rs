@@ -19,7 +19,7 @@
 
 mod search;
 
-use super::touching::Touching;
+use super::touching::{Along, Touching};
 use linkdyn_linear::math::dot;
 use nalgebra::{DMatrix, DVector};
 
@@ -35,15 +35,6 @@ const TWICE: f64 = 1e-11;
 /// Changes, per contact, before all choices are tried, and most choices then.
 const CHANGES: usize = 8;
 const CHOICES: usize = 1 << 14;
-
-/// What a contact does along the surface.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Along {
-    /// It slides: T/N is this.
-    Slides(f64),
-    /// It does not, and friction up to this T/N can hold it.
-    Rests(f64),
-}
 
 /// What a contact does from the instant on.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,9 +9,9 @@
 //! (p_n, p_t) by [`crate::contact::impact`]. Sustained contacts take part as constraints; where the impulse would pull one
 //! of them, they part, and the impulses of all come of one problem (see [`super::touching`]).
 
-use super::grips::{Along, Grips};
+use super::grips::Grips;
 use super::point::Point;
-use super::touching::Touching;
+use super::touching::{Along, Touching};
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::state::Sums;
 use crate::contact::impact::resolve;

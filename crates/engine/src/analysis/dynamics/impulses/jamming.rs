@@ -26,8 +26,8 @@
 //! A contact by itself is an impact like any other, from δ̇ = 0, with its restitution (see [`crate::contact::impact`]); several at
 //! once give nothing back.
 
-use super::grips::{Along, Grips};
-use super::touching::Touching;
+use super::grips::Grips;
+use super::touching::{Along, Touching};
 use super::vanishing::vanishing;
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::words::TIGHT;

@@ -18,7 +18,6 @@
 //! J. J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics*, 1988; F. Pfeiffer, C. Glocker, *Multibody
 //! Dynamics with Unilateral Contacts*, 1996.
 
-use super::grips::Along;
 use super::point::{Point, approach_acceleration, approach_size, sliding_acceleration, still};
 use crate::analysis::dynamics::flow::Flow;
 use linkdyn_linear::complementary::complementary;
@@ -34,6 +33,15 @@ pub(super) struct Touching {
     pub contacts: Vec<usize>,
     /// What pushes at them do.
     pub points: Vec<Point>,
+}
+
+/// What a contact does along the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Along {
+    /// It slides: T/N is this.
+    Slides(f64),
+    /// It does not, and friction up to this T/N can hold it.
+    Rests(f64),
 }
 
 /// Which contacts push, and how much.

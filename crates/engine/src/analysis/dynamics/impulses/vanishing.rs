@@ -13,9 +13,9 @@
 //! J. J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics*, 1988; D. E. Stewart, J. C. Trinkle, *An implicit time-stepping
 //! scheme for rigid body dynamics with inelastic collisions and Coulomb friction*, 1996.
 
-use super::grips::{Along, Grips, Mode};
+use super::grips::{Grips, Mode};
 use super::point::at_rest;
-use super::touching::Touching;
+use super::touching::{Along, Touching};
 use crate::analysis::dynamics::flow::Flow;
 use linkdyn_linear::lemke::lemke;
 use nalgebra::DMatrix;
