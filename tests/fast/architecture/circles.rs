@@ -15,8 +15,9 @@ use super::source::root;
 use super::sources::Sources;
 
 /// Packages by the name that `use` knows them by, and their folders.
-const PACKAGES: [(&str, &str); 9] = [
+const PACKAGES: [(&str, &str); 10] = [
     ("linkdyn", "src"),
+    ("linkdyn_ask", "crates/ask/src"),
     ("linkdyn_engine", "crates/engine/src"),
     ("linkdyn_linear", "crates/linear/src"),
     ("linkdyn_model", "crates/model/src"),
@@ -28,7 +29,7 @@ const PACKAGES: [(&str, &str); 9] = [
 ];
 
 /// Circles that are left. The number only falls.
-const AT_MOST: usize = 29;
+const AT_MOST: usize = 27;
 
 /// Whether a module is only there for tests.
 fn is_test(attributes: &[Attribute]) -> bool {
