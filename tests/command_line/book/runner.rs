@@ -14,7 +14,7 @@ use super::blocks::{Block, blocks, is_as_shown, words};
 /// Commands of a page that tests do not run: they build this repository, test it, or measure it.
 const NOT_RUN: [&str; 9] = [
     "cargo test --release",
-    "cargo install --path . --locked --profile dist",
+    "cargo install --path . --locked --profile dist --features dist",
     "cargo bench --bench six_bar",
     "cargo bench --bench dynamics",
     "cargo bench --bench contact",

@@ -333,7 +333,7 @@ fn signals_to_end_keep_what_is_done() {
 fn a_table_by_columns_is_refused_where_it_was_not_built() {
     let scratch = Scratch::new("study-parquet");
     for arguments in [
-        &["slider-crank", "-o", "out", "--parquet"][..],
+        &["-o", "out", "--parquet"][..],
         &["merge", "out", "--parquet"],
     ] {
         let output = study(&scratch, arguments);
