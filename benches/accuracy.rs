@@ -29,9 +29,9 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use commands::{Place, waits};
-use linkdyn_engine::analysis::accuracy::{Levels, Scope};
 use linkdyn_engine::analysis::{Control, run};
 use linkdyn_model::{GROUND, Model};
+use linkdyn_variation::{Levels, Scope};
 use samples::{Case, DEGREE, Sampler, case, read};
 use serde_json::{Value, json};
 use told::{Random, Told, bare, parametric, spoil, tolerate};

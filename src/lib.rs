@@ -71,8 +71,8 @@ pub mod ask {
     pub use linkdyn_ask::optimise::{Optimise, Optimised};
     pub use linkdyn_ask::study::{Studied, Study, Varied};
     pub use linkdyn_engine::analysis::Check as Findings;
-    pub use linkdyn_engine::analysis::accuracy::Levels;
     pub use linkdyn_study::design::Method;
+    pub use linkdyn_variation::Levels;
 }
 
 /// Every type of a [`Model`].

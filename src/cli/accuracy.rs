@@ -14,8 +14,8 @@ use super::threads::threads;
 use super::{interrupt, replaced};
 use linkdyn_ask::Question;
 use linkdyn_ask::accuracy::{Accuracy, Deviations};
-use linkdyn_engine::analysis::accuracy::Levels;
 use linkdyn_output::{Directory, WriteError};
+use linkdyn_variation::Levels;
 
 const TABLE: &str = "accuracy.csv";
 const CONTRIBUTIONS: &str = "contributions.csv";

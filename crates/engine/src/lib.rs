@@ -15,9 +15,9 @@
 
 pub mod analysis;
 pub mod contact;
-mod element;
+pub mod element;
 mod graph;
 pub mod integrate;
 pub mod mechanism;
-mod motion;
+pub mod motion;
 pub mod system;

@@ -2,8 +2,8 @@
 
 use super::newton::{Gaps, Newton};
 use super::told::{Random, Told, ask_outputs, parametric, spoil, tolerate};
-use linkdyn_engine::analysis::accuracy::{Accuracy, Contribution};
 use linkdyn_model::{JointKind, Model};
+use linkdyn_variation::{Accuracy, Contribution};
 
 /// Newton's own round-off, times how far a joint's gap carries an output [m or rad].
 pub const ROUND_OFF: f64 = 1e-12;

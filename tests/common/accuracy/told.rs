@@ -1,9 +1,9 @@
 //! Models told as questions about accuracy: every number of the geometry a parameter, everything that may be off, off.
 
 use linkdyn_engine::analysis::Control;
-use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, Scope, accuracy};
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Loaded, Model};
+use linkdyn_variation::{Accuracy, Parameters, Refusal, Scope, accuracy};
 use serde_json::{Map, Value, json};
 use std::sync::atomic::{AtomicUsize, Ordering};
 

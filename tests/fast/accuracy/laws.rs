@@ -3,8 +3,8 @@
 use super::told::{Told, ask_outputs, bare, is_counted, parametric, spoil, tolerate};
 use crate::models;
 use crate::transform::{mirror, rename_and_reverse};
-use linkdyn_engine::analysis::accuracy::{Accuracy, PoseAccuracy, Refusal};
 use linkdyn_model::{GROUND, Model};
+use linkdyn_variation::{Accuracy, PoseAccuracy, Refusal};
 use serde_json::{Value, json};
 
 /// Instants of a stroke.
@@ -191,7 +191,7 @@ fn agree(
     let mut faults = Vec::new();
     for output in &found.outputs {
         let same = |own: &&_| {
-            let own: &linkdyn_engine::analysis::accuracy::OutputAccuracy = own;
+            let own: &linkdyn_variation::OutputAccuracy = own;
             own.name == output.name
         };
         let theirs = other.outputs.iter().find(same).expect("the output");

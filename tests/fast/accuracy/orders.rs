@@ -2,7 +2,7 @@
 
 use super::told::{Told, ask_outputs, parametric, spoil, tolerate};
 use crate::models;
-use linkdyn_engine::analysis::accuracy::Scope;
+use linkdyn_variation::Scope;
 use serde_json::{Map, Value, json};
 use std::num::NonZeroUsize;
 use std::sync::atomic::Ordering;

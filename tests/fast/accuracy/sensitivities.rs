@@ -2,8 +2,8 @@
 
 use super::told::{Random, Told, ask_outputs, is_counted, parametric};
 use crate::models;
-use linkdyn_engine::analysis::accuracy::{Accuracy, Refusal};
 use linkdyn_model::{Checked, Model};
+use linkdyn_variation::{Accuracy, Refusal};
 use serde_json::json;
 
 /// Length of a step along a direction of all parameters: what is left out goes with its fourth power, round-off with its

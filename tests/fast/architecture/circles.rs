@@ -15,7 +15,7 @@ use super::source::root;
 use super::sources::Sources;
 
 /// Packages by the name that `use` knows them by, and their folders.
-const PACKAGES: [(&str, &str); 10] = [
+const PACKAGES: [(&str, &str); 11] = [
     ("linkdyn", "src"),
     ("linkdyn_ask", "crates/ask/src"),
     ("linkdyn_engine", "crates/engine/src"),
@@ -26,6 +26,7 @@ const PACKAGES: [(&str, &str); 10] = [
     ("linkdyn_picture", "crates/picture/src"),
     ("linkdyn_study", "crates/study/src"),
     ("linkdyn_validation", "validation/src"),
+    ("linkdyn_variation", "crates/variation/src"),
 ];
 
 /// Circles that are left. The number only falls.

@@ -180,6 +180,7 @@ fn face() -> Face {
             ("linkdyn_output", &of("crates/output/src")),
             ("linkdyn_picture", &of("crates/picture/src")),
             ("linkdyn_study", &of("crates/study/src")),
+            ("linkdyn_variation", &of("crates/variation/src")),
         ],
         is_hidden,
     );

@@ -184,7 +184,6 @@ const KNOW_THE_MODEL: &[&str] = &[
     // Compiling it, and its question.
     "system/compile/",
     "analysis/question.rs",
-    "analysis/accuracy/words/",
     "analysis/settings.rs",
     // Entries, which compile a model.
     "analysis/check.rs",

@@ -14,6 +14,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
             "ask",
             "validation",
             "picture",
+            "variation",
             "engine",
             "output",
             "model",
@@ -24,15 +25,32 @@ const PACKAGES: &[(&str, &[&str])] = &[
     // Questions and their answers.
     (
         "ask",
-        &["picture", "engine", "output", "model", "optimise", "study"],
+        &[
+            "picture",
+            "variation",
+            "engine",
+            "output",
+            "model",
+            "optimise",
+            "study",
+        ],
     ),
     // The cases: what the engine is held against.
     (
         "validation",
-        &["picture", "engine", "output", "model", "linear"],
+        &[
+            "picture",
+            "variation",
+            "engine",
+            "output",
+            "model",
+            "linear",
+        ],
     ),
     // Pictures are drawn from words and results, never from equations.
     ("picture", &["output", "model"]),
+    // What tolerances and clearances do, from the equations of the engine.
+    ("variation", &["engine", "output", "model", "linear"]),
     ("engine", &["output", "model", "linear"]),
     // Tables and reports of a run.
     ("output", &[]),

@@ -11,7 +11,7 @@ use super::models::{JOINTS, Quantity, RADII};
 use super::table::Paper;
 use crate::{CaseError, Claim, Verdict};
 use linkdyn_engine::analysis::Control;
-use linkdyn_engine::analysis::accuracy::{Accuracy, Parameters, Refusal, Scope, accuracy};
+use linkdyn_variation::{Accuracy, Parameters, Refusal, Scope, accuracy};
 
 /// Relative difference from the reference that is allowed. At a few of the 1751 poses beside the change point several stationary
 /// positions compete: at 118° with 10 µm and at 119° with 100 µm ours is the farther one, by 0.3 and 4.6 %, elsewhere the

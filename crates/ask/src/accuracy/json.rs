@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use linkdyn_engine::analysis::accuracy::{Levels, OutputAccuracy, PoseAccuracy};
+use linkdyn_variation::{Levels, OutputAccuracy, PoseAccuracy};
 use serde::{Serialize, Serializer};
 use serde_json::ser::{Formatter, PrettyFormatter};
 

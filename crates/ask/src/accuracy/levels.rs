@@ -1,7 +1,7 @@
 //! The levels of accuracy in words: numbers with their units, and why there are none.
 
-use linkdyn_engine::analysis::accuracy::{Levels, OutputAccuracy, PoseAccuracy};
 use linkdyn_model::display::DisplayUnits;
+use linkdyn_variation::{Levels, OutputAccuracy, PoseAccuracy};
 
 use crate::text::number;
 

@@ -9,10 +9,8 @@ mod text;
 use std::num::NonZeroUsize;
 
 use linkdyn_engine::analysis::Control;
-use linkdyn_engine::analysis::accuracy::{
-    Accuracy as Found, Levels, Parameters, Refusal, Scope, accuracy,
-};
 use linkdyn_model::{Checked, Parameter};
+use linkdyn_variation::{Accuracy as Found, Levels, Parameters, Refusal, Scope, accuracy};
 
 use crate::{ModelFile, Question, Unanswered};
 

@@ -1,11 +1,11 @@
 //! Accuracy as a page.
 
-use linkdyn_engine::analysis::accuracy::{Levels, OutputAccuracy, PoseAccuracy};
 use linkdyn_model::JointKind;
 use linkdyn_model::display::Shown;
 use linkdyn_picture::Shape;
 use linkdyn_picture::accuracy_page::{AccuracyPage, Output, Pose, Slider, Source, Unit};
 use linkdyn_picture::shape::{Clearance, JointKind as Drawn};
+use linkdyn_variation::{Levels, OutputAccuracy, PoseAccuracy};
 
 use super::Deviations;
 use super::text::assumed;

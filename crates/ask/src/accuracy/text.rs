@@ -1,8 +1,8 @@
 //! Accuracy for people: the worst pose of each output, its levels, and who contributes.
 
-use linkdyn_engine::analysis::accuracy::{Levels, OutputAccuracy, PoseAccuracy};
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::{Distribution, Pins};
+use linkdyn_variation::{Levels, OutputAccuracy, PoseAccuracy};
 
 use super::levels::{allowed, both, certified, first_of, found_of, of_limits, signed, value};
 use super::{Deviations, Found};

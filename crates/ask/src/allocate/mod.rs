@@ -3,11 +3,9 @@
 mod text;
 
 use linkdyn_engine::analysis::Control;
-use linkdyn_engine::analysis::accuracy::{
-    Accuracy as Found, Free, Levels, Limited, Sum, Unallocated, allocate,
-};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{Parameter, Tolerance};
+use linkdyn_variation::{Accuracy as Found, Free, Levels, Limited, Sum, Unallocated, allocate};
 
 use crate::accuracy::{Accuracy, Deviations};
 use crate::{ModelFile, Question, Unanswered};

@@ -1,8 +1,8 @@
 //! The choice of tolerances in words, and for programs.
 
 use indexmap::IndexMap;
-use linkdyn_engine::analysis::accuracy::OutputAccuracy;
 use linkdyn_model::{Parameter, Tolerance};
+use linkdyn_variation::OutputAccuracy;
 use serde::{Serialize, Serializer};
 
 use super::{Allocation, DIGITS, unit};

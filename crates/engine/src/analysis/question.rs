@@ -169,7 +169,7 @@ fn contents(kind: AnalysisKind) -> Contents {
 }
 
 /// When an analysis has outputs: at t = 0 where it does not say.
-pub(super) fn instants(system: &System, analysis: &Analysis) -> Result<Instants, Complaint> {
+pub fn instants(system: &System, analysis: &Analysis) -> Result<Instants, Complaint> {
     if let Some(sample) = &analysis.sample {
         return sampled(system, sample).map(Instants::Sampled);
     }

@@ -150,7 +150,8 @@ impl Marker {
         }
     }
 
-    pub(crate) fn rho(&self, at: &Kinematics) -> Vec2 {
+    /// From the centre of mass to the point, in global axes \[m\].
+    pub fn rho(&self, at: &Kinematics) -> Vec2 {
         at.poses[self.body.0].turn(self.s)
     }
 
@@ -294,7 +295,7 @@ pub trait ConstraintDependentForce: Send + Sync {
 }
 
 /// Unit vector along `a`, and its length; none for a (numerically) zero vector.
-pub(crate) fn direction(a: Vec2) -> Option<(Vec2, f64)> {
+pub fn direction(a: Vec2) -> Option<(Vec2, f64)> {
     let length = a.norm();
     (length > f64::MIN_POSITIVE).then(|| (a / length, length))
 }

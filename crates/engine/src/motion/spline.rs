@@ -32,6 +32,7 @@ impl Spline {
         Spline { t, f, curvature }
     }
 
+    /// Value and two derivatives.
     pub fn jet(&self, t: f64) -> Jet {
         let last = self.t.len() - 1;
         // Beyond the ends: the end tangent (f″ = 0 there).

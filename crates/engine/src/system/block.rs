@@ -9,9 +9,9 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct Block {
     /// The equations.
-    pub(crate) constraint: Arc<dyn Constraint>,
+    pub constraint: Arc<dyn Constraint>,
     /// What they came from.
-    pub(crate) origin: Origin,
+    pub origin: Origin,
     /// First row, and first entry.
     first: [u32; 2],
     /// Number of rows, and of entries.
@@ -44,7 +44,7 @@ impl Block {
 
     /// Its entries.
     #[inline]
-    pub(crate) fn entries(&self) -> Range<usize> {
+    pub fn entries(&self) -> Range<usize> {
         let first = self.first[1] as usize;
         first..first + self.count[1] as usize
     }

@@ -23,9 +23,9 @@ pub struct Inputs {
     /// Integrated states.
     pub(crate) states: Vec<f64>,
     /// What is added to φ (m) [m or rad]: gaps that joints are given; empty where there are none.
-    pub(crate) gaps: Vec<f64>,
+    pub gaps: Vec<f64>,
     /// \[s\]
-    pub(crate) time: f64,
+    pub time: f64,
 }
 
 impl Inputs {
@@ -51,7 +51,7 @@ impl Inputs {
     }
 
     /// Evaluates the drivers' laws.
-    pub(crate) fn set_time(&mut self, system: &System, time: f64) {
+    pub fn set_time(&mut self, system: &System, time: f64) {
         self.time = time;
         for (jet, driver) in self.drive.iter_mut().zip(&system.drivers) {
             *jet = driver.law.jet(time);
@@ -68,7 +68,7 @@ pub struct Evaluation {
     /// φ (m)
     pub phi: Vec<f64>,
     /// Values of [`System::entries`], plus one cell that takes what belongs nowhere.
-    pub(crate) jacobian: Vec<f64>,
+    pub jacobian: Vec<f64>,
 }
 
 impl Evaluation {
@@ -85,7 +85,7 @@ impl Evaluation {
     }
 
     /// What the elements may look at.
-    pub(crate) fn kinematics<'a>(&'a self, inputs: &'a Inputs) -> Kinematics<'a> {
+    pub fn kinematics<'a>(&'a self, inputs: &'a Inputs) -> Kinematics<'a> {
         Kinematics {
             poses: &self.poses,
             twists: &self.twists,
@@ -112,7 +112,7 @@ impl Evaluation {
     }
 
     /// Takes the velocities (n).
-    pub(crate) fn set_velocity(&mut self, v: &[f64]) {
+    pub fn set_velocity(&mut self, v: &[f64]) {
         for (twist, columns) in self.twists[1..].iter_mut().zip(self.layout.bodies()) {
             let [x, y, omega] = columns.read(v);
             *twist = Twist {
@@ -162,7 +162,7 @@ impl Evaluation {
     }
 
     /// Q (n): gravity, springs, loads, contacts.
-    pub(crate) fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
+    pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
         let gravity = [system.gravity.x, system.gravity.y];
         system.mass.weigh(&system.layout, gravity, q_force);
         if system.forces.is_empty() && system.contacts.is_empty() {

@@ -108,7 +108,7 @@ impl JointData {
     }
 
     /// What kind of joint it is, for results and pictures.
-    pub(crate) fn role(&self) -> JointRole {
+    pub fn role(&self) -> JointRole {
         self.extras().role
     }
 
@@ -118,7 +118,7 @@ impl JointData {
     }
 
     /// Where it joins its bodies.
-    pub(crate) fn points(&self) -> [Marker; 2] {
+    pub fn points(&self) -> [Marker; 2] {
         match (&self.pin, self.extras().points) {
             (_, Some(points)) => points,
             (Some(pin), None) => [pin.first, pin.second],

@@ -89,7 +89,7 @@ pub struct BodyData {
     /// As the file names it.
     pub name: String,
     /// The frame's origin from the centre of mass, body frame \[m\].
-    pub(crate) origin: Vec2,
+    pub origin: Vec2,
     /// Whether the file says that its mass or its inertia is zero.
     pub(crate) is_light: bool,
 }
@@ -100,11 +100,11 @@ pub struct DriverData {
     /// As the file names it.
     pub name: String,
     /// What it drives, for results and pictures.
-    pub(crate) role: DriverRole,
+    pub role: DriverRole,
     /// Its value over time.
     pub law: Law,
     /// What its value is measured in.
-    pub(crate) measure: Measure,
+    pub measure: Measure,
 }
 
 /// A body point among the results.
@@ -130,7 +130,7 @@ const GROUND: u32 = u32::MAX;
 
 impl JacobianEntry {
     /// Its column; none for ground.
-    pub(crate) fn column(&self) -> Option<u32> {
+    pub fn column(&self) -> Option<u32> {
         (self.column != GROUND).then_some(self.column)
     }
 }
@@ -188,17 +188,17 @@ pub struct System {
     /// M; zero where unknown.
     pub(crate) mass: Mass,
     /// All masses (and inertias) are known.
-    pub(crate) masses_known: bool,
+    pub masses_known: bool,
     /// Where the entries of J stand.
-    pub(crate) entries: Vec<JacobianEntry>,
+    pub entries: Vec<JacobianEntry>,
     /// What each row is measured in (m).
-    pub(crate) measures: Vec<Measure>,
+    pub measures: Vec<Measure>,
     /// Number of massless clearance links.
     pub(crate) links: usize,
     /// Guess of the coordinates (n).
     pub guess: Vec<f64>,
     /// Characteristic length of the mechanism \[m\].
-    pub(crate) size: f64,
+    pub size: f64,
     /// Its length, mass and time, by which tolerances are measured.
     pub(crate) scale: Scale,
     /// How messages speak of it.
@@ -294,7 +294,7 @@ impl System {
     }
 
     /// Rows of driver `id`.
-    pub(crate) fn driver_row(&self, id: DriverId) -> usize {
+    pub fn driver_row(&self, id: DriverId) -> usize {
         self.joint_rows() + id.0
     }
 
@@ -307,13 +307,13 @@ impl System {
     }
 
     /// The block that makes `row`.
-    pub(crate) fn block_of_row(&self, row: usize) -> &Block {
+    pub fn block_of_row(&self, row: usize) -> &Block {
         let k = self.blocks.partition_point(|b| b.row() <= row);
         &self.blocks[k - 1]
     }
 
     /// Length scale of a coordinate: size for x and y, 1 for angles; coordinates divided by it are comparable.
-    pub(crate) fn column_scale(&self, column: usize) -> f64 {
+    pub fn column_scale(&self, column: usize) -> f64 {
         let (_, axis) = self.layout.coordinate(column);
         self.axis_scale(axis)
     }
@@ -335,7 +335,7 @@ impl System {
     }
 
     /// Multiplies coordinates (n) by their scales.
-    pub(crate) fn scale_columns(&self, x: &mut [f64]) {
+    pub fn scale_columns(&self, x: &mut [f64]) {
         for body in self.layout.bodies() {
             x[body.x()] *= self.size;
             x[body.y()] *= self.size;
@@ -343,7 +343,7 @@ impl System {
     }
 
     /// Scale of a row's residual [m or rad].
-    pub(crate) fn row_scale(&self, row: usize) -> f64 {
+    pub fn row_scale(&self, row: usize) -> f64 {
         self.measure_scale(self.measures[row])
     }
 

@@ -47,7 +47,7 @@ pub enum JointRole {
 /// What only some joints have: one that is not named here has none of it.
 impl JointRole {
     /// Direction of the guide in the first body's frame, where there is one.
-    pub(crate) fn axis(self) -> Option<Vec2> {
+    pub fn axis(self) -> Option<Vec2> {
         match self {
             JointRole::Prismatic { axis, .. } | JointRole::Slot { axis } => Some(axis),
             _ => None,

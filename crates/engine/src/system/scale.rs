@@ -74,7 +74,7 @@ fn usable(scale: f64) -> f64 {
 
 impl System {
     /// Largest coordinate, lengths divided by the mechanism's size [–].
-    pub(crate) fn scaled_norm(&self, dq: &[f64]) -> f64 {
+    pub fn scaled_norm(&self, dq: &[f64]) -> f64 {
         let (mut length, mut angle) = (0.0, 0.0);
         for body in self.layout.bodies() {
             let [x, y, theta] = body.read(dq);

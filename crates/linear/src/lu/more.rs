@@ -29,38 +29,6 @@ impl SparseLu {
         }
     }
 
-    /// Rows of A⁻¹, K at a time: of the first K columns k of A that are wanted, `(A⁻¹)_kr` of every row r of A in turn, then of the
-    /// next K of them. Where fewer than K are left, the others are zero.
-    ///
-    /// # Panics
-    /// Without factors, or when `rows` has not n for each K that are wanted.
-    pub fn inverse_rows<const K: usize>(&mut self, wanted: &[usize], rows: &mut [[f64; K]]) {
-        let n = self.order.len();
-        self.assert_ready(n);
-        assert_eq!(
-            rows.len(),
-            n * wanted.len().div_ceil(K),
-            "n for each few rows that are wanted"
-        );
-        if self.vectors.len() < K * n {
-            self.vectors.resize(K * n, 0.0);
-        }
-        let y = self.vectors[..K * n].as_chunks_mut::<K>().0;
-        for (wanted, rows) in wanted.chunks(K).zip(rows.chunks_exact_mut(n.max(1))) {
-            y.fill([0.0; K]);
-            for (lane, &column) in wanted.iter().enumerate() {
-                let mut columns = self.order.columns().iter();
-                if let Some(step) = columns.position(|&own| own as usize == column) {
-                    y[step][lane] = 1.0;
-                }
-            }
-            self.frozen.solve_transposed(y);
-            for (row, &at) in rows.iter_mut().zip(&self.position) {
-                *row = y[at as usize];
-            }
-        }
-    }
-
     /// Takes over the factors of another one, whose work space stays where it is: of matrices of the same size nothing is allocated.
     pub fn take_over(&mut self, other: &SparseLu) {
         self.pattern.clone_from(&other.pattern);

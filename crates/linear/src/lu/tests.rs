@@ -376,25 +376,3 @@ fn empty_and_single() {
     assert_eq!((b, lu.determinant().0), ([-0.5], -1.0));
     assert!(lu.refactor(&[0.0]).is_err());
 }
-
-proptest! {
-    #[test]
-    fn rows_of_the_inverse_are_those_of_the_matrix(n in 1usize..40, seed in any::<u64>()) {
-        let matrix = random_matrix(n, seed);
-        let (mut lu, values) = paired(&matrix);
-        let condition = dense(lu.pattern(), &values).singular_values();
-        prop_assume!(condition.min() > 1e-7 * condition.max());
-        lu.refactor(&values).unwrap();
-        let wanted: Vec<usize> = (0..n).rev().step_by(1 + seed as usize % 3).collect();
-        let mut rows = vec![[1.0; 4]; n * wanted.len().div_ceil(4)];
-        lu.inverse_rows(&wanted, &mut rows);
-        for r in 0..n {
-            let mut unit: Vec<f64> = (0..n).map(|k| f64::from(k == r)).collect();
-            lu.solve(&mut unit);
-            let most = 1e-7 * super::super::math::max_abs(&unit);
-            for (lane, &k) in wanted.iter().enumerate() {
-                prop_assert!((rows[lane / 4 * n + r][lane % 4] - unit[k]).abs() <= most);
-            }
-        }
-    }
-}

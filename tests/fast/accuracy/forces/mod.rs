@@ -5,8 +5,8 @@ mod worst;
 
 use super::told::Told;
 use super::{asked_in_vain, file};
-use linkdyn_engine::analysis::accuracy::{Accuracy, PoseAccuracy};
 use linkdyn_engine::analysis::{Control, run};
+use linkdyn_variation::{Accuracy, PoseAccuracy};
 use serde_json::{Value, json};
 
 /// A slider-crank with a force on its slide; SI.

@@ -3,9 +3,9 @@
 use super::told;
 use crate::accuracy::told::{Random, Told};
 use crate::models;
-use linkdyn_engine::analysis::accuracy::Accuracy;
 use linkdyn_engine::analysis::{Control, Outcome, run};
 use linkdyn_model::{AnalysisKind, Model};
+use linkdyn_variation::Accuracy;
 use serde_json::{Map, Value, json};
 
 /// Numbers of a model that become parameters: not all of them, where there are many.

@@ -3,8 +3,8 @@
 use super::{sprung, told};
 use crate::accuracy::told::Random;
 use crate::models;
-use linkdyn_engine::analysis::accuracy::OutputAccuracy;
 use linkdyn_engine::analysis::{Control, run};
+use linkdyn_variation::OutputAccuracy;
 use serde_json::{Value, json};
 
 /// The lock, closing so slowly that nothing but its weight counts, all pins with this clearance.

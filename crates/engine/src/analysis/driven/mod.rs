@@ -21,7 +21,7 @@ pub(super) use between::Between;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
 use outputs::Outputs;
-pub(super) use passages::{passages, range};
+pub use passages::{passages, range};
 
 /// What a prescribed motion is asked for.
 #[derive(Debug, Clone, Copy)]
@@ -128,7 +128,7 @@ fn from(system: &System) -> Result<(Assembled, Inputs), Stop> {
 ///
 /// # Errors
 /// Rows at events with clearance links, and friction with a history where forces are wanted.
-pub(super) fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop> {
+pub fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), Stop> {
     if at_events && system.links > 0 {
         return Err(Stop::Input(vec![
             Complaint::new(
@@ -170,7 +170,7 @@ pub(super) fn refuse(system: &System, reactions: bool, at_events: bool) -> Resul
 }
 
 /// The path over `range`: of a crank that goes round more than once and comes back, one turn stands for all.
-pub(super) fn path(
+pub fn path(
     driven: &mut Driven,
     start: (f64, &[f64]),
     range: (f64, f64),

@@ -7,7 +7,7 @@ use crate::system::System;
 use linkdyn_output::{Event, EventKind};
 
 /// The range of the path's parameter that the instants (and what lies between them) need.
-pub(in crate::analysis) fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
+pub fn range(system: &System, instants: &[OutputInstant]) -> (f64, f64) {
     let end = instants.last().map_or(0.0, |last| last.time);
     match Parameter::of(system) {
         Parameter::Time | Parameter::Coordinate => (0.0, end),
@@ -44,7 +44,7 @@ pub(super) const ON_THE_EDGE: f64 = 1e-10;
 const MOST_PASSAGES: usize = 1000;
 
 /// Times in [0, end] at which a law passes a value: at most one on each monotone stretch.
-pub(in crate::analysis) fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
+pub fn passages(law: &Law, value: f64, end: f64) -> Vec<f64> {
     let mut times: Vec<f64> = Vec::new();
     for (left, right) in law.stretches(end) {
         let (from, to) = (law.jet(left)[0], law.jet(right)[0]);

@@ -19,7 +19,7 @@ pub struct Window {
     /// Within this distance the polynomial is used.
     pub(crate) radius: f64,
     /// Half width of the data.
-    pub(crate) width: f64,
+    pub width: f64,
     /// Its polynomial; none where the path's nodes tell it.
     pub(super) branch: Option<Osculating>,
 }
@@ -27,7 +27,7 @@ pub struct Window {
 /// The path: nodes in ascending s.
 pub struct Path {
     /// What s is.
-    pub(crate) parameter: Parameter,
+    pub parameter: Parameter,
     pub(super) nodes: Vec<Node>,
     /// Error of q″ of the polynomial through the four nodes around the gap after each node [rad or sizes, by the square of the
     /// parameter's unit]; empty where it was not looked for.
@@ -45,9 +45,9 @@ pub struct Path {
     /// Where the path repeats itself.
     pub(crate) turn: Option<Turn>,
     /// How it ended below.
-    pub(crate) low: End,
+    pub low: End,
     /// How it ended above.
-    pub(crate) high: End,
+    pub high: End,
     /// Steps taken.
     pub(crate) steps: u64,
     /// Steps tried in vain.
@@ -168,7 +168,7 @@ impl Path {
     }
 
     /// The self-stress of the change point that a window bridges.
-    pub(crate) fn self_stress(&self, window: usize) -> &[f64] {
+    pub fn self_stress(&self, window: usize) -> &[f64] {
         let s = self.windows[window].s;
         let nearest = self
             .singular
@@ -257,8 +257,13 @@ impl Path {
         gap
     }
 
+    /// Whether it comes round, so that it has no ends.
+    pub fn is_closed(&self) -> bool {
+        self.turn.is_some()
+    }
+
     /// The stretch that was followed.
-    pub(crate) fn covered(&self) -> (f64, f64) {
+    pub fn covered(&self) -> (f64, f64) {
         match self.comes_round() {
             Some(turn) => (turn.centre - 0.5 * TAU, turn.centre + 0.5 * TAU),
             None => (self.nodes[0].s, self.nodes[self.nodes.len() - 1].s),
@@ -282,7 +287,7 @@ impl Path {
     }
 
     /// Whether `s` is on the stretch that was followed, or on one that repeats it.
-    pub(crate) fn holds(&self, s: f64) -> bool {
+    pub fn holds(&self, s: f64) -> bool {
         let (low, high) = self.covered();
         self.turn.is_some() || (low..=high).contains(&s)
     }
@@ -317,7 +322,7 @@ impl Path {
     }
 
     /// The windows around change points.
-    pub(crate) fn windows(&self) -> &[Window] {
+    pub fn windows(&self) -> &[Window] {
         &self.windows
     }
 }

@@ -19,29 +19,10 @@ struct Motions<'a> {
 
 impl Driven<'_> {
     /// x (n) with J_A x = `rows` (m) at the last factors, without independent coordinates.
-    pub(crate) fn answer(&mut self, rows: &[f64], x: &mut [f64]) {
+    pub fn answer(&mut self, rows: &[f64], x: &mut [f64]) {
         self.rows[..rows.len()].copy_from_slice(rows);
         self.rows[rows.len()..].fill(0.0);
         self.solve_rows(x);
-    }
-
-    /// Rows of J⁻¹ at the last factors, as [`SparseLu::inverse_rows`] lays them out, of a mechanism without redundancy and
-    /// independent coordinates: those of the coordinates that are wanted.
-    pub(crate) fn inverse_rows<const K: usize>(&mut self, wanted: &[usize], rows: &mut [[f64; K]]) {
-        self.lu.inverse_rows(wanted, rows);
-        let n = self.system.n().max(1);
-        for (wanted, rows) in wanted.chunks(K).zip(rows.chunks_exact_mut(n)) {
-            let mut sizes = [0.0; K];
-            for (size, &column) in sizes.iter_mut().zip(wanted) {
-                *size = self.system.column_scale(column);
-            }
-            for (row, scale) in rows.iter_mut().zip(self.row_scales.iter()) {
-                let inverse = 1.0 / scale;
-                for (row, size) in row.iter_mut().zip(&sizes) {
-                    *row *= size * inverse;
-                }
-            }
-        }
     }
 
     /// S (f × n), one tangent ∂q/∂u_k after the other: the motion that independent coordinate k alone makes.
