@@ -22,8 +22,9 @@ use super::source::{Pair, dot};
 const PRESSES: usize = 6;
 /// A step gains at least this part of what the influences promise (Armijo): small, so that only what hardly gains is shortened.
 const GAINED: f64 = 1e-4;
-/// What all sources lack may be this part of the deviation: what is read is known to a few parts in 1e12.
-const STILL: f64 = 1e-11;
+/// What all sources lack may be this part of the deviation. Beside a change point a deviation is wrong by ten thousand times what
+/// its sources lack; steps that round-off keeps from gaining end the ascent before.
+const STILL: f64 = 1e-13;
 /// A place that lacks more than this part of its deviation is not stationary: no digit that is printed may be open.
 const STATIONARY: f64 = 1e-6;
 /// A source may go farther at another side if it spans no more than so many times what the first order leaves out, or what its

@@ -199,7 +199,7 @@ mod tests {
             (parameter(-1.0, 2.0, Scatter::Triangular), [0.6, 0.0]),
             (pin([0.5, 0.5]), [0.5, 1.2]),
         ];
-        let all = sources.map(|(play, g)| slide.moments(g, Pins::Rim));
+        let all = sources.map(|(source, g)| source.moments(g, Pins::Rim));
         let mean: f64 = all.iter().map(|by| by[0]).sum();
         let variance: f64 = all.iter().map(|by| by[1]).sum();
         same(mean, 0.3);
