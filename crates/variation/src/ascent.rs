@@ -68,7 +68,7 @@ pub(super) struct Ascent<'a, 'm> {
 
 impl Ascent<'_, '_> {
     /// From the deviations that the influences at the nominal position ask for; none where corrections do not lead there.
-    pub fn from_first_order(&mut self) -> Option<Farthest> {
+    pub fn ascend_from_first_order(&mut self) -> Option<Farthest> {
         let (load, g) = self.known?;
         self.mechanism.factor(&self.of.stand.q, self.of.stand)?;
         let mut start = self.start(&self.of.stand.q, load.lambda.clone());
@@ -87,7 +87,7 @@ impl Ascent<'_, '_> {
     }
 
     /// From where nothing is off.
-    pub fn from_rest(&mut self) -> Option<Farthest> {
+    pub fn ascend_from_rest(&mut self) -> Option<Farthest> {
         let rest: Vec<Pair> = self
             .mechanism
             .sources

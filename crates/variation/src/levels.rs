@@ -116,7 +116,7 @@ impl<'a> PoseAnalysis<'a> {
             nominal: pose.nominal,
             known: known.map(|known| (&known.load, &*known.g)),
         };
-        if stays && let Some(found) = ascent.from_first_order().filter(goes) {
+        if stays && let Some(found) = ascent.ascend_from_first_order().filter(goes) {
             return Some(found);
         }
         // At a change point the self-stress is the load that the equations balance without any on the output.
@@ -130,7 +130,7 @@ impl<'a> PoseAnalysis<'a> {
             Some(reached) => ascent.from(&reached.q, &reached.e),
             None => None,
         };
-        let climbed = climbed.or_else(|| ascent.from_rest()).filter(goes);
+        let climbed = climbed.or_else(|| ascent.ascend_from_rest()).filter(goes);
         match (reached, climbed) {
             (Some(reached), Some(climbed)) => Some(reached.or_beyond(climbed, side)),
             (reached, climbed) => reached.or(climbed),

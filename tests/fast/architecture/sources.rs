@@ -6,11 +6,14 @@ use syn::Item;
 
 use super::items::{ALL, File, LeavesOut, Modules, as_use, load, name, names, parse};
 
+/// A name that a `use` brings, and the path behind it.
+type Brought = (String, Vec<String>);
+
 /// Packages, by the name that `use` knows them by.
 pub struct Sources {
     pub packages: BTreeMap<String, Modules>,
     /// What the `use`s of each module bring from our packages: name, and the path behind it.
-    uses: BTreeMap<(String, Vec<String>), Vec<(String, Vec<String>)>>,
+    uses: BTreeMap<(String, Vec<String>), Vec<Brought>>,
 }
 
 /// The path of an item: package, modules, name.
@@ -38,7 +41,7 @@ impl Sources {
         let known = &packages;
         let uses = packages.iter().flat_map(|(package, modules)| {
             modules.iter().map(move |(module, items)| {
-                let is_ours = |(_, target): &(String, Vec<String>)| {
+                let is_ours = |(_, target): &Brought| {
                     let first = &target[0];
                     let inner = [&module[..], std::slice::from_ref(first)].concat();
                     ["crate", "self", "super"].contains(&first.as_str())

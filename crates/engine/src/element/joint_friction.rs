@@ -5,7 +5,7 @@
 //! prismatic   N = max(|f_n|, 2|τ|/L)      v = u·(Ṗ₂ − Ṗ₁)      force T u on the second body, at its point
 //! ```
 //!
-//! T(v, N; z) by [`crate::contact::friction`], against v, and the opposite on the first body. r is the pin's radius; f, f_n and
+//! T(v, N; z) by `crate::contact::friction`, against v, and the opposite on the first body. r is the pin's radius; f, f_n and
 //! τ are what the joint's constraints carry.
 //!
 //! * A pin touches along one line, wherever that lies: N = |f| is that of a pin that fits loosely, without the factor 4/π of

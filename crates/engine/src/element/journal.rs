@@ -16,7 +16,7 @@
 //! With c and R_b below zero the first body is a disc that the second touches from outside, n = −e/d and d = n·e < 0: nothing else
 //! changes (see [`super::edge`]).
 //!
-//! N by [`crate::contact::normal`], T by [`crate::contact::friction`] (see [`super::pair`]).
+//! N by `crate::contact::normal`, T by `crate::contact::friction` (see [`super::pair`]).
 
 use super::span::{BOTH, Span, all_pairs};
 use super::touch::{Compliant, Contact, Reading};

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! each with its rate ṡ. A coordinate of a point is one along an axis of the ground from the ground's origin. With the columns
-//! B, D of [`super::span`], a⊥ = ∂a/∂θ₁, and u, P as in [`super::spring`]:
+//! B, D of `super::span`, a⊥ = ∂a/∂θ₁, and u, P as in [`super::spring`]:
 //!
 //! ```text
 //! along      ∂s = a·B + a⊥·d [θ₁]         ∂ṡ/∂q = a·D + ω₁ a⊥·B + (a⊥·ḋ − ω₁ a·d) [θ₁]

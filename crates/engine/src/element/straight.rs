@@ -1,6 +1,6 @@
 //! A straight piece of an outline under a round tip, and the tip that rolls on it.
 //!
-//! Symbols as in [`super::edge`]. With A of [`Contact`](super::touch::Contact), a tip that rolls keeps
+//! Symbols as in [`super::edge`]. With A of [`Contact`], a tip that rolls keeps
 //!
 //! ```text
 //! φ = [ δ ]                                          (2)  [m]
