@@ -1,4 +1,4 @@
-//! What the packages for other languages need beside the face. It changes without notice.
+//! What the packages for other languages need in addition to the public items. It changes without notice.
 
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ pub use linkdyn_ask::caught;
 pub use linkdyn_engine::analysis::Progress;
 pub use linkdyn_engine::system::{System, Terms};
 
-/// Reads a model file that has this name, and is at a path, beside which its tables are, or in folders that are allowed.
+/// Reads a model file with this name. Its tables are in the folder of the path, or in folders that are allowed.
 ///
 /// # Errors
 /// [`Error::Model`] with all faults of the model.
@@ -40,7 +40,7 @@ pub fn set(mechanism: &Mechanism, sets: Vec<String>) -> Result<Mechanism, Error>
     mechanism.set_all(sets)
 }
 
-/// The text of `summary.json`; no time of writing files is told, as none were written.
+/// The text of `summary.json`; it has no time of writing files, as none were written.
 pub fn summary(run: &Run) -> String {
     run.mechanism()
         .origin()
@@ -81,7 +81,7 @@ pub struct Rows {
 }
 
 impl Variants {
-    /// Of a question; of what the model says, where there is none. Responses are asked for besides those of the model.
+    /// Of a question, or of what the model says if there is none. The responses come in addition to those of the model.
     ///
     /// # Errors
     /// A question that does not fit the model.
@@ -113,7 +113,7 @@ impl Variants {
             .collect()
     }
 
-    /// Computes all variants; none where it is interrupted.
+    /// Computes all variants, or `None` if it is interrupted.
     pub fn run(&self, control: &Control, page: bool) -> Option<(Studied, Rows)> {
         let mut all = Rows::default();
         let studied = self.0.answer(control, |rows| {
@@ -142,7 +142,7 @@ impl Variants {
         studies::Kept::begin(directory, &self.0)?.fill(&self.0, shard, control)
     }
 
-    /// Computes what is missing in a directory, and writes all files; none where it is interrupted.
+    /// Computes what is missing in a directory, and writes all files, or `None` if it is interrupted.
     ///
     /// # Errors
     /// A directory of another study, files that can't be written.

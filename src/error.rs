@@ -92,7 +92,6 @@ impl Error {
 
 impl Error {
     /// Whether the system does not take what is written.
-    #[doc(hidden)]
     pub fn is_unwritten(&self) -> bool {
         matches!(
             self,

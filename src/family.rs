@@ -84,7 +84,6 @@ impl Family {
     }
 
     /// The same under outside control.
-    #[doc(hidden)]
     pub fn member_under(&self, control: Control) -> Member<'_> {
         Member {
             family: self,

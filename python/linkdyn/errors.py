@@ -92,7 +92,7 @@ class UnitError(LinkdynError, ValueError):
 
 
 class SolveError(LinkdynError, RuntimeError):
-    """A run ended early: numerics or geometry forbid to go on, or its time is over."""
+    """A run ended early: the solver cannot continue, or its time is over."""
 
     run: Run | None
     """What was computed until then."""

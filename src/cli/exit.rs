@@ -13,7 +13,7 @@ pub enum Exit {
     Fault,
     /// The input is bad.
     BadInput,
-    /// Numerics or geometry forbid to go on.
+    /// The solver cannot continue.
     Stopped,
     /// The system takes no more: a full disk, a folder without permission, an output that is closed.
     Unwritten,
@@ -57,7 +57,7 @@ impl From<Status> for Exit {
 pub enum Failure {
     /// That of the input.
     BadInput(Vec<String>),
-    /// That of numerics or geometry, which forbid to go on.
+    /// That of a solver that cannot continue.
     Stopped(String),
     /// That of the system, which does not take what is written.
     Unwritten(String),

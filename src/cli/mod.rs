@@ -70,7 +70,7 @@ struct Arguments {
 fn exit_help() -> String {
     let code = Exit::code;
     format!(
-        "Exit status: {} done, {} a check or validation found a fault, {} the input is bad, {} numerics or geometry forbid to go on, \
+        "Exit status: {} done, {} a check or validation found a fault, {} the input is bad, {} the solver cannot continue, \
          {} something can't be written, {} a fault of linkdyn itself, {} interrupted.\n\n\
          Begin with `linkdyn new`. `linkdyn docs tutorial` builds a model step by step; \
          `linkdyn docs messages` explains messages.",

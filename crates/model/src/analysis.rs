@@ -99,7 +99,6 @@ pub struct Solver {
     /// Method of integration.
     pub method: String,
     /// Who solves for accelerations: by few dense numbers or many sparse ones.
-    #[doc(hidden)]
     pub accelerations: Accelerations,
     /// Relative tolerance.
     pub rtol: f64,

@@ -16,7 +16,6 @@ pub struct Body {
     /// Named points in the body's frame \[m\].
     pub points: IndexMap<String, [f64; 2]>,
     /// Diameters of the position tolerance zones of those points that have one \[m\].
-    #[doc(hidden)]
     pub point_tolerances: IndexMap<String, f64>,
     /// Where the body's frame is guessed to be.
     pub pose: Pose,
@@ -49,7 +48,6 @@ pub struct Initial {
     /// Angular velocity [rad/s].
     pub angular_velocity: Option<f64>,
     /// How it turns, by the others, on the branch of motion on which a singular start is left.
-    #[doc(hidden)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub branch: Option<f64>,
 }

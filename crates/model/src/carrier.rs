@@ -22,7 +22,6 @@ impl Model {
     ///
     /// # Errors
     /// No body holds both centres, not the one that the file names, or the centres are one.
-    #[doc(hidden)]
     pub fn carrier(&self, name: &str, joint: &Joint) -> Option<Result<Carrier<'_>, Complaint>> {
         let (JointKind::Gear { carrier, .. } | JointKind::Belt { carrier, .. }) = &joint.kind
         else {

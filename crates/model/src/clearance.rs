@@ -34,10 +34,8 @@ pub struct Clearance {
     /// Radial clearance: bearing radius − journal radius \[m\], the mean of its range; needed by every model but `ideal`.
     pub radius: Option<f64>,
     /// Least and greatest radial clearance \[m\], where the file says them or a fit; see [`Clearance::limits`].
-    #[doc(hidden)]
     pub range: Option<[f64; 2]>,
     /// The fit by ISO 286 from which the range follows, as in `20 H7/g6`.
-    #[doc(hidden)]
     pub fit: Option<String>,
     /// Radius of the bearing R_b \[m\]; with `elastic` it gives the stiffness.
     pub bearing_radius: Option<f64>,
@@ -55,7 +53,6 @@ pub struct Clearance {
 
 impl Clearance {
     /// Least and greatest radial clearance \[m\]; the radius alone where it was changed since the range was given.
-    #[doc(hidden)]
     pub fn limits(&self) -> Option<[f64; 2]> {
         let radius = self.radius?;
         let range = self.range.filter(|range| words::mean(*range) == radius);
@@ -63,7 +60,6 @@ impl Clearance {
     }
 
     /// The limits of the fit, as read; none where there is no fit or it can't be read.
-    #[doc(hidden)]
     pub fn read_fit(&self) -> Option<Fit> {
         Fit::parse(self.fit.as_deref()?).ok()
     }

@@ -14,7 +14,6 @@ pub struct Driver {
     /// The law of time that the coordinate follows.
     pub motion: Motion,
     /// How far the coordinate may be from what the motion says, to either side \[rad or m\].
-    #[doc(hidden)]
     pub tolerance: Option<f64>,
 }
 
@@ -35,7 +34,6 @@ pub enum DriverKind {
         joint: String,
     },
     /// Distance of two points of two bodies, as a hydraulic cylinder has it.
-    #[doc(hidden)]
     Length {
         /// Its ends.
         between: [PointRef; 2],

@@ -30,7 +30,6 @@ pub struct Complaint {
 
 impl Complaint {
     /// A fault at `path`; the place is looked up later.
-    #[doc(hidden)]
     pub fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
         Complaint {
             path: path.into(),
@@ -42,14 +41,12 @@ impl Complaint {
     }
 
     /// Adds what would mend it.
-    #[doc(hidden)]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
         self
     }
 
     /// Adds the offending text.
-    #[doc(hidden)]
     pub fn found(mut self, found: impl Into<String>) -> Self {
         self.found = Some(found.into());
         self

@@ -16,7 +16,6 @@ pub enum Value {
     /// A law of time.
     Motion(Motion),
     /// A function of what moves; `free_length` and `free_angle` are none.
-    #[doc(hidden)]
     Formula(Formula),
 }
 
@@ -45,12 +44,10 @@ pub struct Force {
     pub kind: ForceKind,
     /// Where the stroke of a spring or an actuator ends.
     #[serde(flatten)]
-    #[doc(hidden)]
     pub stroke: Stroke,
 }
 
 /// The ends of the stroke of a spring or an actuator: nothing where it has none.
-#[doc(hidden)]
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Stroke {
     /// Least and greatest length \[m\]; none where the stroke has no end.
@@ -82,7 +79,6 @@ pub enum ForceKind {
         free_length: Value,
     },
     /// Along the line of two points, a hydraulic cylinder or a gas spring: a force that pushes them apart \[N\].
-    #[doc(hidden)]
     Actuator {
         /// Two points, `body.point`.
         between: [PointRef; 2],
@@ -90,7 +86,6 @@ pub enum ForceKind {
         force: Value,
     },
     /// Over points: a tension k(L − L₀) + c L̇ of its whole length, zero where that is negative \[N\].
-    #[doc(hidden)]
     Cable {
         /// Points in their order, `body.point`, two at least.
         through: Vec<PointRef>,
@@ -159,7 +154,6 @@ impl ForceKind {
     }
 
     /// The points that it acts along the line of; none of what has no length.
-    #[doc(hidden)]
     pub fn ends(&self) -> Option<&[PointRef; 2]> {
         match self {
             ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {

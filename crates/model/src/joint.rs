@@ -58,7 +58,6 @@ pub struct Joint {
     pub kind: JointKind,
     /// Where its way ends, of revolute, prismatic and slot joints; of a contact what it is made of.
     #[serde(flatten)]
-    #[doc(hidden)]
     pub stops: Stops,
 }
 
@@ -142,7 +141,6 @@ impl Latch {
 /// What only some kinds have: a kind that is not named here has none of it.
 impl JointKind {
     /// Direction along which it slides, fixed in the first body.
-    #[doc(hidden)]
     pub fn guide(&self) -> Option<[f64; 2]> {
         match self {
             JointKind::Prismatic { axis, .. } | JointKind::Slot { axis, .. } => Some(*axis),
@@ -151,7 +149,6 @@ impl JointKind {
     }
 
     /// Its clearance.
-    #[doc(hidden)]
     pub fn clearance(&self) -> Option<&Clearance> {
         match self {
             JointKind::Revolute { clearance, .. } => clearance.as_deref(),
@@ -160,7 +157,6 @@ impl JointKind {
     }
 
     /// Friction beside that of a clearance.
-    #[doc(hidden)]
     pub fn friction(&self) -> Option<&Friction> {
         match self {
             JointKind::Revolute { friction, .. }
@@ -230,7 +226,6 @@ pub enum JointKind {
     /// The profile of the first body, about its point, moves the follower of the second and holds it from both sides.
     Cam(Box<Cam>),
     /// A wheel, the first body, rolls about its point on a line of the second body that goes through that one's point.
-    #[doc(hidden)]
     Rack {
         /// Direction of the line, fixed in the second body; its length does not matter.
         axis: [f64; 2],
@@ -240,7 +235,6 @@ pub enum JointKind {
         offset: Option<f64>,
     },
     /// Two pulleys with a belt around them, each held at its point by other joints.
-    #[doc(hidden)]
     Belt {
         /// Radii of the first and the second pulley \[m\].
         radii: [f64; 2],
@@ -253,7 +247,6 @@ pub enum JointKind {
         carrier: Option<String>,
     },
     /// The points stay near each other: a pin in rubber, which is no constraint.
-    #[doc(hidden)]
     Bushing(Box<Bushing>),
     /// The points coincide, relative angle fixed \[rad\].
     Fixed {
@@ -262,7 +255,6 @@ pub enum JointKind {
         angle: f64,
     },
     /// A round tip about the second point may touch an outline of the first body: one-sided.
-    #[doc(hidden)]
     Contact {
         /// Points `[x, y]` of the outline in the first body's frame \[m\], or `[x, y, r]` where an arc of this radius leads to them,
         /// which turns left where it is positive; the material is on the left.

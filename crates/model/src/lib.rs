@@ -8,23 +8,18 @@ pub mod analysis;
 mod beside;
 pub mod body;
 pub mod bundled;
-#[doc(hidden)]
 pub mod bushing;
-#[doc(hidden)]
 pub mod cam;
 pub mod clearance;
 pub mod display;
 pub mod driver;
 pub mod error;
-#[doc(hidden)]
 pub mod event;
 pub mod fit;
 pub mod force;
-#[doc(hidden)]
 pub mod formula;
 pub mod joint;
 pub mod optimise;
-#[doc(hidden)]
 pub mod outline;
 pub mod response;
 pub mod study;
@@ -43,7 +38,6 @@ mod load;
 mod motion;
 mod node;
 mod print;
-#[doc(hidden)]
 pub mod ratio;
 mod schema;
 mod set;
@@ -89,7 +83,6 @@ pub use suggest::nearest;
 pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
 
-#[doc(hidden)]
 pub use self::{
     beside::Beside,
     bushing::{Bushing, PerAxis},
@@ -139,10 +132,8 @@ pub struct Model {
     /// Springs, loads and torques by their names.
     pub forces: IndexMap<String, Force>,
     /// Functions by their points, for formulas.
-    #[doc(hidden)]
     pub tables: IndexMap<String, Table>,
     /// Quantities of which the rates are known.
-    #[doc(hidden)]
     pub states: IndexMap<String, State>,
     /// Exact values at t = 0, per body.
     pub initial: IndexMap<String, Initial>,
@@ -151,22 +142,16 @@ pub struct Model {
     /// What is to be computed.
     pub analysis: Option<Analysis>,
     /// What is asked of its accuracy.
-    #[doc(hidden)]
     pub accuracy: Option<Accuracy>,
     /// Ratios of velocities, as columns.
-    #[doc(hidden)]
     pub outputs: IndexMap<String, String>,
     /// Named numbers of a run.
-    #[doc(hidden)]
     pub responses: IndexMap<String, Response>,
     /// Many variants.
-    #[doc(hidden)]
     pub study: Option<Study>,
     /// What an optimisation looks for.
-    #[doc(hidden)]
     pub optimise: Option<Optimise>,
     /// How messages speak of it: the units that the file names.
     #[serde(skip)]
-    #[doc(hidden)]
     pub display: DisplayUnits,
 }

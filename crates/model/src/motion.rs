@@ -84,7 +84,6 @@ pub enum Motion {
 }
 
 /// What is between the points of a table, and beyond them.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Interpolation {
@@ -100,7 +99,6 @@ pub enum Interpolation {
 }
 
 /// The law of a rise.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum RiseLaw {
@@ -123,7 +121,6 @@ pub enum RiseLaw {
 }
 
 /// A rise between two dwells: from `start` by `rise`, or to `end`.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
 #[serde(default)]
 pub struct Rise {
@@ -140,7 +137,6 @@ pub struct Rise {
 }
 
 /// A rise of which is said how long it takes, or what it may reach.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
 #[serde(default)]
 pub struct Paced {
@@ -167,7 +163,6 @@ pub struct Paced {
 }
 
 /// A part of a sequence: a rise by a law, or a dwell.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
 pub struct Segment {
     /// How it rises.

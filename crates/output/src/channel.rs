@@ -31,12 +31,10 @@ pub enum Channel {
     /// An output of the model: a ratio of velocities.
     Output(usize),
     /// An integrated state.
-    #[doc(hidden)]
     State(usize, StateQuantity),
 }
 
 /// An integrated state, in the SI unit of its own.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StateQuantity {
     /// The state.
@@ -123,10 +121,8 @@ pub enum JointQuantity {
     /// From the way of a cam's follower to the normal in the contact \[rad\].
     PressureAngle,
     /// Tension \[N\] of the strand of a belt that pulls more.
-    #[doc(hidden)]
     Tight,
     /// Tension \[N\] of the other one, negative where it would have to push.
-    #[doc(hidden)]
     Slack,
 }
 
@@ -189,7 +185,6 @@ pub enum LoadQuantity {
     /// Work by time done on the mechanism \[W\].
     Power,
     /// Force \[N\] of the stops of a spring or an actuator on its second point, along the line, positive where it pushes them apart.
-    #[doc(hidden)]
     Stop,
 }
 

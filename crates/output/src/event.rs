@@ -23,16 +23,12 @@ pub enum EventKind {
     /// A journal begins to slip on its bearing.
     Slip,
     /// A joint latches at its stop.
-    #[doc(hidden)]
     Latch,
     /// A latch opens.
-    #[doc(hidden)]
     Unlatch,
     /// A joint, or the lock of one, closes.
-    #[doc(hidden)]
     Close,
     /// It opens.
-    #[doc(hidden)]
     Open,
 }
 
@@ -81,10 +77,8 @@ pub struct Event {
     /// Joint with clearance, or with stops.
     pub joint: Option<String>,
     /// The stop of the joint, `lower` or `upper`.
-    #[doc(hidden)]
     pub stop: Option<&'static str>,
     /// Of contacts.
-    #[doc(hidden)]
     pub episode: Option<Episode>,
     /// What a reader should know.
     pub note: Option<String>,
@@ -92,7 +86,6 @@ pub struct Event {
 
 impl Event {
     /// Something at an instant, about which nothing else is known.
-    #[doc(hidden)]
     pub fn at(kind: EventKind, time: f64) -> Self {
         Event {
             kind,

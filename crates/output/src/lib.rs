@@ -18,7 +18,6 @@ pub mod summary;
 mod trajectory;
 mod unbounded;
 
-#[doc(hidden)]
 pub use channel::StateQuantity;
 pub use channel::{
     BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
@@ -60,7 +59,6 @@ pub struct ClearanceSums {
 }
 
 /// What a joint does at one of its stops over the whole run.
-#[doc(hidden)]
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StopSums {
     /// Name of the joint.
@@ -79,7 +77,6 @@ pub struct StopSums {
 
 impl StopSums {
     /// Nothing yet.
-    #[doc(hidden)]
     pub fn of(joint: String, stop: &'static str) -> Self {
         StopSums {
             joint,
@@ -185,7 +182,6 @@ pub struct Report {
     /// Degrees of freedom.
     pub mobility: Mobility,
     /// Work done.
-    #[doc(hidden)]
     pub statistics: Statistics,
     /// How good the result is.
     pub quality: Quality,
@@ -196,17 +192,13 @@ pub struct Report {
     /// What happened, by time.
     pub events: Vec<Event>,
     /// Columns without bound.
-    #[doc(hidden)]
     pub unbounded: Vec<Unbounded>,
     /// Joints with clearance by contact.
     pub clearances: Vec<ClearanceSums>,
     /// Joints with stops.
-    #[doc(hidden)]
     pub stops: Vec<StopSums>,
     /// Time of the assembly.
-    #[doc(hidden)]
     pub assemble: Stage,
     /// Time of the analysis.
-    #[doc(hidden)]
     pub solve: Stage,
 }

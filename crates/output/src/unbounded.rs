@@ -5,7 +5,6 @@ use super::Report;
 use std::collections::HashMap;
 
 /// Columns without bound, and when they have none.
-#[doc(hidden)]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unbounded {
     /// Names of the columns, without units.
@@ -16,7 +15,6 @@ pub struct Unbounded {
 
 impl Report {
     /// Notes that these columns, where there are some, have no bound at a time.
-    #[doc(hidden)]
     pub fn note_unbounded(&mut self, columns: &[String], time: f64) {
         if columns.is_empty() {
             return;
@@ -31,7 +29,6 @@ impl Report {
     }
 
     /// Columns without bound, each with the first time at which it has none \[s\].
-    #[doc(hidden)]
     pub fn first_unbounded(&self) -> HashMap<&str, f64> {
         let mut found = HashMap::new();
         for Unbounded { columns, times } in &self.unbounded {

@@ -22,7 +22,7 @@ use super::source::{Pair, dot};
 const PRESSES: usize = 6;
 /// A step gains at least this part of what the influences promise (Armijo): small, so that only what hardly gains is shortened.
 const GAINED: f64 = 1e-4;
-/// What all sources lack may be this part of the deviation. Beside a change point a deviation is wrong by ten thousand times what
+/// What all sources lack may be this part of the deviation. Near a change point a deviation is wrong by ten thousand times what
 /// its sources lack; steps that round-off keeps from gaining end the ascent before.
 const STILL: f64 = 1e-13;
 /// A place that lacks more than this part of its deviation is not stationary: no digit that is printed may be open.
@@ -67,7 +67,7 @@ pub(super) struct Ascent<'a, 'm> {
 }
 
 impl Ascent<'_, '_> {
-    /// From the deviations that the influences at the nominal position ask for; none where corrections do not lead there.
+    /// From the deviations that the influences at the nominal position ask for, or `None` if corrections do not lead there.
     pub fn ascend_from_first_order(&mut self) -> Option<Farthest> {
         let (load, g) = self.known?;
         self.mechanism.factor(&self.of.stand.q, self.of.stand)?;
@@ -229,7 +229,7 @@ impl Ascent<'_, '_> {
     }
 
     /// The place with these deviations, on from another whose factors are at hand; in the first passes (`presses`) sources go on to
-    /// where their influences ask. None where corrections do not lead there.
+    /// where their influences ask. `None` if corrections do not lead there.
     fn settle(&mut self, near: &Place, e: &[Pair], presses: usize) -> Option<Place> {
         let mut at = near.clone();
         at.e.copy_from_slice(e);
@@ -325,7 +325,7 @@ impl Ascent<'_, '_> {
         None
     }
 
-    /// The sources that may go farther at another side, the weakest first; none where the first order is not known.
+    /// The sources that may go farther at another side, the weakest first, or `None` if the first order is not known.
     fn weak(&self, at: &Place) -> Option<Vec<usize>> {
         let (_, nominal) = self.known?;
         let sources = self.mechanism.sources;

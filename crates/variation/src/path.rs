@@ -11,7 +11,7 @@
 //! ```
 //!
 //! These equations are regular also at change points, where c grows with the square of y* and the reach with the root of c. From
-//! the nominal output y* goes on until |c| = 1. Beside a change point c rises and falls again, through 0 where the other branch
+//! the nominal output y* goes on until |c| = 1. Near a change point c rises and falls again, through 0 where the other branch
 //! is, and the self-stress presses the other way beyond. A place where c is greatest is a place of its own, so that between two
 //! places c only rises or only falls.
 
@@ -34,7 +34,7 @@ const FARTHEST: f64 = 7.0;
 const PRESSES: usize = 12;
 /// What is left of a correction is round-off.
 const ROUND_OFF: f64 = 1e-15;
-/// Shares that are told: those that people ask for, and squares of eighths, for beside a change point c goes with y².
+/// Shares that are reported: round ones, and squares of eighths, since near a change point c is proportional to y².
 const SHARES: [f64; 9] = [
     0.015625, 0.0625, 0.1, 0.140625, 0.25, 0.390625, 0.5, 0.5625, 0.765625,
 ];
@@ -111,7 +111,7 @@ impl<'a, 'm> Path<'a, 'm> {
         }
     }
 
-    /// The reach of the output, from first steps as short as gaps allow; none where it can't be found.
+    /// The reach of the output, from first steps as short as gaps allow, or `None` if it cannot be found.
     pub fn reach(&mut self) -> Option<Farthest> {
         let load = self.load.clone();
         let firsts = [1e-5, 1e-4, 1e-3, 1e-2];
@@ -420,7 +420,7 @@ impl<'a, 'm> Path<'a, 'm> {
         at.y = self.mechanism.value(self.of, at.c.abs()) - self.nominal;
     }
 
-    /// Corrects a place that was taken, for a deviation of the output. The size of the correction; none where it has none.
+    /// Corrects a place that was taken, for a deviation of the output. Returns the size of the correction, if there is one.
     fn correct(&mut self, at: &mut Node, y: f64) -> Option<f64> {
         let system = self.mechanism.driven.system;
         let n = system.n();

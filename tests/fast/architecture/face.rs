@@ -1,9 +1,10 @@
 //! How large the face is: what the package `linkdyn` shows without the command, counted from the sources.
 //!
 //! Counted are modules, functions, constants, types, their public fields and the public methods of their own `impl`s, each once,
-//! however often it is exported. Not counted are pages of the guide, which are modules without items, and what is hidden from
-//! the documentation because only the packages beside use it. Re-exports are followed into the package and the module that they come from. Variants of enums
-//! and their fields are counted beside: they say what values there are, not what can be called.
+//! however often it is exported. Not counted are pages of the guide, which are modules without items, and the modules for the
+//! command and the Python package, which are hidden from the documentation. Re-exports are followed into the package and the module
+//! that they come from. Variants of enums and their fields are counted separately: they say what values there are, not what can be
+//! called.
 
 use std::collections::BTreeSet;
 use std::fs;

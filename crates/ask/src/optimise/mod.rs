@@ -2,7 +2,7 @@
 //!
 //! | file        | does                                                                  |
 //! | ----------- | --------------------------------------------------------------------- |
-//! | `asked`     | what is asked for, put into the model's `optimise`                    |
+//! | `asked`     | the request, put into the model's `optimise`                          |
 //! | `target`    | what is looked for                                                    |
 //! | `variants`  | what a variant gives: the one place where the search meets the engine |
 //! | `guarded`   | variants among which one with a fault of linkdyn has no value         |
@@ -39,7 +39,7 @@ use target::Target;
 use timing::Timing;
 use variants::{Found, Runs};
 
-/// Asks for values of parameters. What is asked for here comes before what the model says under `optimise`.
+/// Searches for values of parameters. What is given here replaces what the model says under `optimise`.
 #[derive(Debug, Clone, Default)]
 pub struct Optimise {
     /// Parameters that may change, `parameters.r=10 mm:60 mm` or without bounds.
@@ -50,7 +50,7 @@ pub struct Optimise {
     pub minimise: Vec<String>,
     /// What is to be greatest.
     pub maximise: Vec<String>,
-    /// What must hold besides.
+    /// Constraints.
     pub constraints: Vec<String>,
     /// Standard deviations that the objective may get worse by tolerances.
     pub robust: Option<f64>,
@@ -62,7 +62,7 @@ pub struct Optimise {
 
 /// A search that is ready to begin.
 pub struct Optimisation {
-    /// The model with what is asked for.
+    /// The model with the request.
     pub file: ModelFile,
     target: Target,
     timing: Option<Timing>,
@@ -71,10 +71,10 @@ pub struct Optimisation {
 }
 
 impl Optimise {
-    /// Reads a model with what is asked for, which this may interrupt.
+    /// Reads a model with the request; `control` may interrupt it.
     ///
     /// # Errors
-    /// Faults of the model and of what is asked for.
+    /// Faults of the model and of the request.
     pub fn of(
         &self,
         text: &Arc<Text>,
@@ -106,7 +106,7 @@ impl Question for Optimise {
 }
 
 impl Optimisation {
-    /// Searches; threads of rayon share the starts. All evaluations are kept where that is asked for.
+    /// Searches; threads of rayon share the starts. All evaluations are kept if that is requested.
     ///
     /// # Errors
     /// More parameters than the starts can be spread over.

@@ -16,13 +16,11 @@ pub struct Control {
     /// Set when the user wants the run to stop.
     pub interrupted: Arc<AtomicBool>,
     /// How far the run has come.
-    #[doc(hidden)]
     pub progress: Progress,
 }
 
 impl Control {
     /// The reason to stop now, if there is one.
-    #[doc(hidden)]
     pub fn stop(&self) -> Option<Status> {
         if self.interrupted.load(Ordering::Relaxed) {
             return Some(Status::Interrupted);
@@ -39,7 +37,7 @@ pub enum Stop {
     /// The input is bad.
     #[error("{}", sentences(.0))]
     Input(Vec<Complaint>),
-    /// Numerics or geometry forbid to go on.
+    /// The solver cannot continue.
     #[error("{message}")]
     Failed {
         /// How the run ends.
@@ -50,7 +48,7 @@ pub enum Stop {
 }
 
 impl Stop {
-    /// Numerics or geometry forbid to go on.
+    /// The solver cannot continue.
     pub fn failed(status: Status, message: String) -> Self {
         Stop::Failed { status, message }
     }

@@ -26,7 +26,7 @@ impl Columns {
         self.0.get(&channel).copied()
     }
 
-    /// Columns of these quantities of a body; none where one is missing.
+    /// Columns of these quantities of a body, or `None` if one is missing.
     pub fn of_body(&self, body: usize, quantities: [BodyQuantity; 3]) -> Option<[usize; 3]> {
         let [x, y, angle] = quantities.map(|quantity| self.find(Channel::Body(body, quantity)));
         Some([x?, y?, angle?])
@@ -41,7 +41,7 @@ impl Frame {
     /// The ground's.
     pub const GROUND: Frame = Frame(None);
 
-    /// The frame of a body; none where its pose is not in the table.
+    /// The frame of a body, or `None` if its pose is not in the table.
     pub fn of(columns: &Columns, body: BodyId) -> Option<Self> {
         const POSE: [BodyQuantity; 3] = [BodyQuantity::X, BodyQuantity::Y, BodyQuantity::Angle];
         if body == BodyId::GROUND {
@@ -76,7 +76,7 @@ pub struct States {
 }
 
 impl States {
-    /// Of a table; none where a pose is not in it.
+    /// Of a table, or `None` if a pose is not in it.
     pub fn of(system: &System, columns: &Columns) -> Option<Self> {
         const TWIST: [BodyQuantity; 3] = [BodyQuantity::Vx, BodyQuantity::Vy, BodyQuantity::Omega];
         let bodies = 0..system.bodies.len();
@@ -133,7 +133,7 @@ pub struct Replay<'s> {
 }
 
 impl<'s> Replay<'s> {
-    /// Of a table; none where a pose is not in it.
+    /// Of a table, or `None` if a pose is not in it.
     pub fn new(system: &'s System, columns: &Columns) -> Option<Self> {
         let zero = vec![0.0; system.n()];
         Some(Replay {
@@ -189,9 +189,9 @@ pub struct Place {
 }
 
 impl Place {
-    /// Where a marker is; none where its body's pose is not in the table.
+    /// The position of a marker, or `None` if its body's pose is not in the table.
     pub fn of(system: &System, columns: &Columns, marker: &Marker) -> Option<Self> {
-        // Markers are told from the centre of mass.
+        // Markers are measured from the centre of mass.
         let origin = match marker.body {
             BodyId::GROUND => Vec2::zeros(),
             BodyId(body) => system.bodies[body - 1].origin,

@@ -69,7 +69,7 @@ pub struct Shaking<'s> {
 }
 
 impl<'s> Shaking<'s> {
-    /// Beside rows with these columns; none where no joint forces are among them or nothing touches the ground.
+    /// Next to rows with these columns, or `None` if they have no joint forces or nothing touches the ground.
     pub fn new(system: &'s System, columns: &Columns) -> Option<Self> {
         let shares = shares(system, columns)?;
         let has_elements = shares
@@ -174,7 +174,7 @@ impl<'s> Exerted<'s> {
     }
 }
 
-/// −1 where the ground is first, 1 where it is second, none where it is neither.
+/// −1 where the ground is first, 1 where it is second, `None` if it is neither.
 fn side([first, second]: [BodyId; 2]) -> Option<f64> {
     match (first == BodyId::GROUND, second == BodyId::GROUND) {
         (true, _) => Some(-1.0),
@@ -200,7 +200,7 @@ fn shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
     (!shares.is_empty()).then_some(shares)
 }
 
-/// Shares of the stops of springs and actuators on the ground; none where their force is not in the table.
+/// Shares of the stops of springs and actuators on the ground, or `None` if their force is not in the table.
 fn stroke_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
     let mut shares = Vec::new();
     for force in 0..system.force_data.len() {
@@ -224,7 +224,7 @@ fn stroke_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
     Some(shares)
 }
 
-/// Shares of the joints on the ground; none where a force is not in the table.
+/// Shares of the joints on the ground, or `None` if a force is not in the table.
 fn joint_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
     let mut shares = Vec::new();
     for (k, joint) in system.joints.iter().enumerate() {
@@ -246,7 +246,7 @@ fn joint_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
     Some(shares)
 }
 
-/// Shares of the drivers that act on the ground; none where an effort is not in the table.
+/// Shares of the drivers that act on the ground, or `None` if a driving force is not in the table.
 fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
     let mut shares = Vec::new();
     for (k, driver) in system.drivers.iter().enumerate() {

@@ -62,7 +62,6 @@ impl Checked {
     }
 
     /// The same with ideal pins where the model of a clearance is not `kept`; taking out a clearance breaks no rule.
-    #[doc(hidden)]
     pub fn with_clearances(&self, kept: fn(ClearanceModel) -> bool) -> Checked {
         let mut model = self.0.clone();
         for joint in model.joints.values_mut() {

@@ -51,7 +51,6 @@ pub struct Joint {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limits: Option<[Option<f64>; 2]>,
     /// The way in which it turns alone.
-    #[doc(hidden)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub one_way: Option<OneWay>,
 }

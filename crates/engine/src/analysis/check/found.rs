@@ -12,38 +12,30 @@ pub struct Check {
     /// Why not.
     pub message: Option<String>,
     /// Moving bodies.
-    #[doc(hidden)]
     pub bodies: usize,
     /// All joints.
-    #[doc(hidden)]
     pub joints: usize,
     /// Each as the names of its joints.
     pub loops: Vec<String>,
     /// The bodies that each loop goes through, ground left out.
-    #[doc(hidden)]
     pub loop_bodies: Vec<Vec<String>>,
     /// The joints of each loop, in order.
-    #[doc(hidden)]
     pub loop_joints: Vec<Vec<String>>,
     /// Moving bodies, with x, y, angle of their frames as they assemble [m, m, rad]; none where they do not.
-    #[doc(hidden)]
     pub poses: Vec<(String, [f64; 3])>,
     /// With ideal pins.
     pub mobility: Mobility,
     /// With journals free in their bearings, where some are.
-    #[doc(hidden)]
     pub open: Option<Open>,
     /// What the mobility means for each analysis, in a sentence.
     pub words: String,
     /// Largest constraint residual after assembly, divided by the mechanism's size [–]; NaN where there is none.
-    #[doc(hidden)]
     pub assembly_residual: f64,
     /// Why `run` refuses the model's own analysis (exit status 2).
     pub refused: Vec<Complaint>,
     /// What each analysis that can't be run lacks; an analysis that is not listed can be run.
     pub missing: Vec<(AnalysisKind, Vec<String>)>,
     /// The data among that, by what is missing.
-    #[doc(hidden)]
     pub lacks: Vec<Lack>,
     /// Allowed, and yet probably a slip.
     pub suspicious: Vec<Complaint>,

@@ -15,7 +15,6 @@ mod stops;
 mod wheels;
 
 pub use laws::{law, value_law};
-#[doc(hidden)]
 pub use profiles::{Profile, profiles};
 
 use super::rows::{reach, size, spread};
