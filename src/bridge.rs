@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use linkdyn_ask::{ModelFile, study};
 use linkdyn_engine::analysis::Control;
 use linkdyn_model::Beside;
-use linkdyn_output::{Column, Stage};
+use linkdyn_output::{Column, Event, Stage};
 use linkdyn_study::chunks::Shard;
 
 use crate::error::Error;
@@ -45,6 +45,11 @@ pub fn summary(run: &Run) -> String {
     run.mechanism()
         .origin()
         .summary(run.outcome(), Stage::default())
+}
+
+/// An event as in `summary.json`.
+pub fn event(event: &Event) -> String {
+    event.to_json().to_string()
 }
 
 /// The columns of `results.csv`; all others were computed, too, where `analysis.columns` leaves some out.

@@ -47,6 +47,7 @@ mod profiles;
 mod quantity;
 mod questions;
 mod run;
+mod simulation;
 mod studies;
 
 pub use error::Error;
@@ -55,10 +56,27 @@ pub use handles::{Column, Parameter};
 pub use linkdyn_engine::analysis::{Control, Linearised, Mode};
 pub use linkdyn_model::Model;
 pub use linkdyn_model::error::{Complaint, Complaints, Place};
-pub use linkdyn_output::{Event, Report, Status};
+pub use linkdyn_output::{Episode, Event, EventKind, Report, Status};
 pub use mechanism::Mechanism;
 pub use quantity::{Quantity, deg, kg, m, mm, newton, newton_metre, rad, rpm, s, um};
 pub use run::{Run, Values};
+pub use simulation::{Checkpoint, Simulation};
+
+/// Figures of curves, as `linkdyn plot` draws them.
+///
+/// # Examples
+/// ```
+/// use linkdyn::figure::{Axis, Chart, Curve, Panel, svg};
+///
+/// let curve = Curve::new("crank", vec![0.0, 0.5, 1.0], vec![0.0, 1.0, 4.0]);
+/// let panel = Panel { axis: Axis::new("angle", "rad"), curves: vec![curve] };
+/// let chart = Chart { x: Axis::new("time", "s"), panels: vec![panel], ..Chart::default() };
+/// assert!(svg::write(&chart.draw()?).starts_with("<svg"));
+/// # Ok::<(), linkdyn::figure::Fault>(())
+/// ```
+pub mod figure {
+    pub use linkdyn_picture::{Axis, Chart, Curve, Fault, Mark, Panel, Scene, svg};
+}
 
 /// Questions to a [`Mechanism`], and their answers: each answer serialises as the command's JSON, and tells itself in words.
 pub mod ask {

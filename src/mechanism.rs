@@ -382,7 +382,11 @@ fn word(quantity: Quantity) -> String {
     }
 }
 
-fn unknown<'a>(what: &'static str, name: &str, known: impl Iterator<Item = &'a str>) -> Error {
+pub(crate) fn unknown<'a>(
+    what: &'static str,
+    name: &str,
+    known: impl Iterator<Item = &'a str>,
+) -> Error {
     Error::Unknown {
         what,
         name: name.to_owned(),

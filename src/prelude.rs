@@ -2,6 +2,6 @@
 
 pub use crate::quantity::{deg, kg, m, mm, newton, newton_metre, rad, rpm, s, um};
 pub use crate::{
-    Column, Complaint, Control, Error, Event, Family, Mechanism, Member, Model, Parameter,
-    Quantity, Report, Run, Status, Values,
+    Checkpoint, Column, Complaint, Control, Error, Event, Family, Mechanism, Member, Model,
+    Parameter, Quantity, Report, Run, Simulation, Status, Values,
 };

@@ -27,10 +27,12 @@ from .errors import (
 from .family import Family, Variants
 from .model import Model, load, models
 from .run import Run
+from .simulation import Checkpoint, Simulation
 from .study import Study, Table
 
 __all__ = [
     "Answer",
+    "Checkpoint",
     "Complaint",
     "Equations",
     "Family",
@@ -41,6 +43,7 @@ __all__ = [
     "Model",
     "ModelError",
     "Run",
+    "Simulation",
     "SolveError",
     "Study",
     "Table",

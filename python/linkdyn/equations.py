@@ -1,4 +1,4 @@
-"""The equations of a mechanism, for those who write their own solver or controller.
+"""The equations of a mechanism, for those who write their own solver.
 
 ::
 
@@ -10,7 +10,6 @@ outside. Multipliers λ are what the first body of a joint exerts on the second,
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -25,7 +24,7 @@ from .run import Array
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-__all__ = ["Equations", "Motion", "Terms"]
+__all__ = ["Equations", "Terms"]
 
 # Steps of Newton's iteration that a position near a solution never needs.
 _MOST_STEPS = 50
@@ -81,18 +80,6 @@ class Terms:
         except np.linalg.LinAlgError:
             found = np.linalg.lstsq(matrix, right)[0]
         return found[:n], found[n:]
-
-
-@dataclass(frozen=True)
-class Motion:
-    """A motion, step by step."""
-
-    t: Array
-    """(steps) [s]"""
-    q: Array
-    """(steps, n)"""
-    v: Array
-    """(steps, n)"""
 
 
 class Equations:
@@ -162,60 +149,3 @@ class Equations:
         speed: Array = np.array(v, dtype=np.float64)
         speed += np.linalg.lstsq(terms.jacobian, -terms.rate - terms.jacobian @ speed)[0]
         return speed
-
-    def step(
-        self,
-        q: ArrayLike,
-        v: ArrayLike,
-        t: float,
-        dt: float,
-        force: Callable[[Array, Array, float], ArrayLike] | None = None,
-    ) -> tuple[Array, Array]:
-        """Coordinates and velocities after a step of time [s]: Runge and Kutta's classical method, then back onto the
-        constraints.
-
-        It evaluates the terms four times and solves dense systems: about a millisecond for a mechanism of some bodies, a
-        hundred times what ``Model.run`` takes. It locates no impact: steps are to be short beside what happens.
-
-        :param force: F(q, v, t) (n) that is added, such as that of a controller.
-        """
-
-        def slope(q: Array, v: Array, t: float) -> Array:
-            added = None if force is None else force(q, v, t)
-            return self.evaluate(q, v, t).accelerations(added)[0]
-
-        q, v = np.asarray(q, dtype=np.float64), np.asarray(v, dtype=np.float64)
-        a1 = slope(q, v, t)
-        v2 = v + dt / 2 * a1
-        a2 = slope(q + dt / 2 * v, v2, t + dt / 2)
-        v3 = v + dt / 2 * a2
-        a3 = slope(q + dt / 2 * v2, v3, t + dt / 2)
-        v4 = v + dt * a3
-        a4 = slope(q + dt * v3, v4, t + dt)
-        end = self.assemble(q + dt / 6 * (v + 2 * v2 + 2 * v3 + v4), t + dt)
-        return end, self.project(end, v + dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4), t + dt)
-
-    def simulate(
-        self,
-        end: float,
-        dt: float,
-        callback: Callable[[Array, Array, float], ArrayLike] | None = None,
-        *,
-        q: ArrayLike | None = None,
-        v: ArrayLike | None = None,
-    ) -> Motion:
-        """The motion from 0 to ``end`` [s] by steps of ``dt`` [s].
-
-        :param callback: F(q, v, t) (n) that is added, such as that of a controller; it is asked four times for each step.
-        :param q: where it begins (n); where nobody says, what closes nearest to where the file draws the bodies.
-        :param v: with what velocities (n), brought onto the constraints; at rest where nobody says.
-        """
-        at = self.assemble(q)
-        speed = self.project(at, np.zeros(self.n) if v is None else v)
-        times: Array = np.arange(round(end / dt) + 1, dtype=np.float64) * np.float64(dt)
-        motion = Motion(times, np.empty((len(times), self.n)), np.empty((len(times), self.n)))
-        for number in range(len(times)):
-            if number > 0:
-                at, speed = self.step(at, speed, float(times[number - 1]), dt, callback)
-            motion.q[number], motion.v[number] = at, speed
-        return motion

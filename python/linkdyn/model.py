@@ -15,6 +15,7 @@ from .errors import Interrupted, SolveError
 from .family import Family, processors
 from .progress import Progress, told
 from .run import Run
+from .simulation import Simulation
 from .study import Asked, Study
 
 __all__ = ["Model", "Source", "Value", "load", "models"]
@@ -183,8 +184,15 @@ class Model:
         return Family(model._core.family(names))
 
     def compile(self) -> Equations:
-        """The equations of the model, for solvers and controllers of one's own."""
+        """The equations of the model, for solvers of one's own."""
         return Equations(self._core.equations())
+
+    def simulation(self) -> Simulation:
+        """The motion of the model's ``dynamics``, at t = 0, to be stepped by the program. Its ``end`` is ignored.
+
+        :raises ModelError: where the analysis is not ``dynamics``, or drivers prescribe the whole motion.
+        """
+        return Simulation(self._core.simulation())
 
     def check(self) -> Answer:
         """Assembles and diagnoses the model without running it: mobility, loops, what is missing for which analysis.

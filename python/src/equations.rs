@@ -1,4 +1,4 @@
-//! The equations that a model is compiled to, for solvers and controllers of others.
+//! The equations that a model is compiled to, for solvers of others.
 
 use linkdyn::bridge::{self, System};
 use pyo3::buffer::PyBuffer;
@@ -18,7 +18,7 @@ pub struct Equations {
 
 /// Numbers in a row, which NumPy reads in place.
 #[pyclass(frozen, module = "linkdyn._linkdyn")]
-pub struct Numbers(Vec<f64>);
+pub struct Numbers(pub Vec<f64>);
 
 /// Rows and columns of J, its values, φ, φ_t, γ, Q and the diagonal of M.
 type Told = (Vec<usize>, Vec<usize>, [Numbers; 6]);

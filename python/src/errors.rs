@@ -95,6 +95,7 @@ pub fn exception(py: Python<'_>, error: &Error) -> PyErr {
         Error::Write(_) => return pyo3::exceptions::PyOSError::new_err(text),
         Error::Bundled { .. } => "UnknownModel",
         Error::Unknown { .. } => "UnknownName",
+        Error::Early { .. } => "SolveError",
         Error::Dimension { .. } | Error::Unit(_) => "UnitError",
         _ => "LinkdynError",
     };

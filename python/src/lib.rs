@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! model text ──► Mechanism ──► Run ──► Column (memory of the run, which NumPy reads in place)
+//!                    ├───────► Simulation ──► states, events
 //!                    ├───────► Family ──► Answers
 //!                    ├───────► Answer: JSON, words, a page
 //!                    └───────► Variants: a study
@@ -21,6 +22,7 @@ mod family;
 mod mechanism;
 mod questions;
 mod run;
+mod simulation;
 mod work;
 mod worker;
 
@@ -41,6 +43,8 @@ mod _linkdyn {
     use super::questions::{Variants, accuracy, bundled, check, compare, modes, optimise};
     #[pymodule_export]
     use super::run::{Column, Run};
+    #[pymodule_export]
+    use super::simulation::{Checkpoint, Simulation};
     #[pymodule_export]
     use super::work::panic;
 

@@ -13,6 +13,7 @@ use crate::equations::Equations;
 use crate::errors::exception;
 use crate::family::Family;
 use crate::run::Run;
+use crate::simulation::Simulation;
 use crate::work::{BRIEF, Watch, at_once, in_place, watched};
 
 /// A model that was read and checked.
@@ -127,6 +128,11 @@ impl Mechanism {
     /// The equations that the model is compiled to.
     fn equations(&self, py: Python<'_>) -> PyResult<Equations> {
         Equations::new(py, &self.mechanism)
+    }
+
+    /// The motion at t = 0, to be stepped.
+    fn simulation(&self, py: Python<'_>) -> PyResult<Simulation> {
+        Simulation::new(py, &self.mechanism)
     }
 
     /// The family of mechanisms in which these parameters take other values.

@@ -40,35 +40,6 @@ def test_matrices_are_those_of_finite_differences() -> None:
     assert np.array_equal(terms.sparse_jacobian().toarray(), terms.jacobian)
 
 
-def test_a_motion_by_steps_is_that_of_the_run() -> None:
-    m = linkdyn.load("double-pendulum").set({"analysis.end": 0.5, "analysis.outputs": 6})
-    r, s = m.run(), m.compile()
-    motion = s.simulate(0.5, 0.001)
-    for place, name in enumerate(s.coordinates):
-        if name.endswith("angle"):
-            assert np.allclose(motion.q[::100, place], r[name], atol=1e-8), name
-
-
-def test_a_controller_takes_part() -> None:
-    """A torque that balances gravity and drives a pendulum to rest at 30 degrees."""
-    s = linkdyn.load("pendulum").compile()
-    goal = np.deg2rad(30.0)
-    asked = 0
-
-    def torque(q: np.ndarray, v: np.ndarray, t: float) -> np.ndarray:
-        nonlocal asked
-        asked += 1
-        return np.array([0.0, 0.0, 9.81 * np.cos(q[2]) - 8.0 * (q[2] - goal) - 5.0 * v[2]])
-
-    motion = s.simulate(6.0, 0.01, torque, q=[1.0, 0.0, 0.0])
-    assert motion.q[-1, 2] == pytest.approx(goal, abs=1e-3) and asked == 4 * 600
-    # theta'' = -8 (theta - goal) - 5 theta': exact, for a unit mass on a unit rod.
-    roots = np.roots([1.0, 5.0, 8.0])
-    weights = np.linalg.solve(np.array([np.ones(2), roots]), np.array([-goal, 0.0]))
-    exact = goal + np.real(weights @ np.exp(np.outer(roots, motion.t)))
-    assert np.abs(motion.q[:, 2] - exact).max() < 1e-6
-
-
 def test_positions_that_there_are_not_are_refused() -> None:
     s = linkdyn.load("four-bar").set({"parameters.rocker": "10 mm"}).compile()
     with pytest.raises(linkdyn.SolveError):

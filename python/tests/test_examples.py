@@ -1,7 +1,8 @@
-"""The notebooks run from top to bottom, and their cells are typed."""
+"""The notebooks run from top to bottom, and their cells are typed; the programs run."""
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import time
@@ -14,6 +15,7 @@ nbclient = pytest.importorskip("nbclient")
 
 HERE = Path(__file__).resolve().parents[1]
 NOTEBOOKS = sorted((HERE / "examples").glob("*.ipynb"))
+PROGRAMS = sorted((HERE / "examples").glob("*.py"))
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
@@ -28,6 +30,17 @@ def test_a_notebook_runs(path: Path) -> None:
     assert not errors, errors
     figures = [output for output in shown if "image/png" in output.get("data", {})]
     assert len(figures) >= 2
+
+
+@pytest.mark.parametrize("path", PROGRAMS, ids=lambda path: path.stem)
+def test_a_program_runs(path: Path, tmp_path: Path) -> None:
+    without_screen = {**os.environ, "MPLBACKEND": "agg"}
+    ran = subprocess.run([sys.executable, str(path)], capture_output=True, text=True, cwd=tmp_path, env=without_screen)
+    assert ran.returncode == 0, ran.stderr
+    expected = {"sweep": "written: sweep.svg", "controller": "the door stands at 89.98 degrees", "impacts": "approach"}
+    assert expected[path.stem] in ran.stdout
+    if path.stem != "sweep":
+        assert len(ran.stdout.splitlines()) > 1
 
 
 def test_there_are_three_and_the_lock_has_ten_cells() -> None:
@@ -63,5 +76,6 @@ def test_the_cells_are_typed(tmp_path: Path) -> None:
         cells = [cell.source for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == "code"]
         (tmp_path / f"{path.stem}.py").write_text("\n\n".join(cells) + "\n")
     words = [sys.executable, "-m", "mypy", "--strict", "--config-file", str(HERE / "pyproject.toml")]
-    checked = subprocess.run([*words, *map(str, sorted(tmp_path.glob("*.py")))], capture_output=True, text=True)
+    programs = map(str, sorted([*tmp_path.glob("*.py"), *PROGRAMS]))
+    checked = subprocess.run([*words, *programs], capture_output=True, text=True)
     assert checked.returncode == 0, checked.stdout

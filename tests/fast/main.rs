@@ -67,6 +67,7 @@ mod responses;
 mod schema;
 mod shaking;
 mod similarity;
+mod simulation;
 mod singular;
 mod starts;
 mod states;

@@ -1,5 +1,7 @@
 //! What happened during a run.
 
+use serde_json::{Map, Value};
+
 /// What kind of thing happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -99,6 +101,44 @@ impl Event {
             episode: None,
             note: None,
         }
+    }
+
+    /// As in `summary.json`; what it does not have is left out.
+    pub fn to_json(&self) -> Value {
+        let mut json = Map::new();
+        json.insert("type".into(), self.kind.name().into());
+        json.insert("time".into(), self.time.into());
+        let optional: [(&str, Option<Value>); 7] = [
+            ("joint", self.joint.as_deref().map(Value::from)),
+            ("stop", self.stop.map(Value::from)),
+            ("end_time", self.end_time.map(Value::from)),
+            ("driver", self.driver.as_deref().map(Value::from)),
+            ("value", self.value.map(Value::from)),
+            ("end_value", self.end_value.map(Value::from)),
+            ("note", self.note.as_deref().map(Value::from)),
+        ];
+        json.extend(
+            optional
+                .into_iter()
+                .filter_map(|(key, value)| Some((key.to_string(), value?))),
+        );
+        if let Some(episode) = &self.episode {
+            let numbers = [
+                ("duration", episode.end.map(|end| end - episode.start)),
+                ("approach_speed", Some(episode.approach_speed)),
+                ("separation_speed", episode.separation_speed),
+                ("peak_penetration", Some(episode.peak_penetration)),
+                ("peak_force", Some(episode.peak_force)),
+                ("impulse", Some(episode.impulse)),
+                ("energy_lost", Some(episode.energy_lost)),
+            ];
+            json.extend(
+                numbers
+                    .into_iter()
+                    .filter_map(|(key, value)| Some((key.to_string(), value?.into()))),
+            );
+        }
+        Value::Object(json)
     }
 }
 

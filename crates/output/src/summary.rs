@@ -112,7 +112,10 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
     }
     json.extend(contacts(report));
     json.insert("warnings".into(), report.warnings.as_slice().into());
-    json.insert("events".into(), report.events.iter().map(event).collect());
+    json.insert(
+        "events".into(),
+        report.events.iter().map(Event::to_json).collect(),
+    );
     if !report.unbounded.is_empty() {
         let unbounded = report.unbounded.iter();
         let told = unbounded.map(|one| json!({ "times": one.times, "columns": one.columns }));
@@ -183,44 +186,6 @@ fn stops(all: &[StopSums]) -> Value {
 
 fn stage(stage: Stage) -> Value {
     json!({ "wall": stage.wall, "cpu": stage.cpu })
-}
-
-/// An event; what it does not have is left out.
-fn event(event: &Event) -> Value {
-    let mut json = Map::new();
-    json.insert("type".into(), event.kind.name().into());
-    json.insert("time".into(), event.time.into());
-    let optional: [(&str, Option<Value>); 7] = [
-        ("joint", event.joint.as_deref().map(Value::from)),
-        ("stop", event.stop.map(Value::from)),
-        ("end_time", event.end_time.map(Value::from)),
-        ("driver", event.driver.as_deref().map(Value::from)),
-        ("value", event.value.map(Value::from)),
-        ("end_value", event.end_value.map(Value::from)),
-        ("note", event.note.as_deref().map(Value::from)),
-    ];
-    json.extend(
-        optional
-            .into_iter()
-            .filter_map(|(key, value)| Some((key.to_string(), value?))),
-    );
-    if let Some(episode) = &event.episode {
-        let numbers = [
-            ("duration", episode.end.map(|end| end - episode.start)),
-            ("approach_speed", Some(episode.approach_speed)),
-            ("separation_speed", episode.separation_speed),
-            ("peak_penetration", Some(episode.peak_penetration)),
-            ("peak_force", Some(episode.peak_force)),
-            ("impulse", Some(episode.impulse)),
-            ("energy_lost", Some(episode.energy_lost)),
-        ];
-        json.extend(
-            numbers
-                .into_iter()
-                .filter_map(|(key, value)| Some((key.to_string(), value?.into()))),
-        );
-    }
-    Value::Object(json)
 }
 
 /// Extremes by column; nulls where a column has no value at all. Of a column without bound they are those of the rows.

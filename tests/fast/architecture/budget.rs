@@ -32,7 +32,7 @@ const fn part(
 
 const PARTS: &[Part] = &[
     part("model", &["crates/model/src"], "rs", 16_400),
-    part("engine", &["crates/engine/src"], "rs", 39_900),
+    part("engine", &["crates/engine/src"], "rs", 40_250),
     part("variation", &["crates/variation/src"], "rs", 5_000),
     part("linear", &["crates/linear/src"], "rs", 3_250),
     part(
@@ -45,12 +45,12 @@ const PARTS: &[Part] = &[
     part("output", &["crates/output/src"], "rs", 2_060),
     part("picture", &["crates/picture/src"], "rs", 9_100),
     part("pages", &["crates/picture/src"], "js", 3_910),
-    part("library", &["src"], "rs", 4_950),
+    part("library", &["src"], "rs", 5_050),
     part("of it the command", &["src/cli"], "rs", 3_650),
     part("validation", &["validation/src"], "rs", 7_450),
-    part("python", &["python/src"], "rs", 1_130),
+    part("python", &["python/src"], "rs", 1_300),
     part("python package", &["python/linkdyn"], "py", 1_500),
-    part("tests", &["tests"], "rs", 43_200),
+    part("tests", &["tests"], "rs", 43_450),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

@@ -4,7 +4,7 @@ use crate::element::Kinematics;
 use crate::system::System;
 
 /// The formulas that did so, each with the first time at which it was seen.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Outside {
     seen: Vec<(usize, f64)>,
 }

@@ -7,6 +7,7 @@ use crate::system::{Evaluation, Inputs, System};
 use linkdyn_output::Trajectory;
 
 /// The channels of a run, and the table that they fill.
+#[derive(Clone)]
 pub struct Recorder {
     channels: Channels,
     /// The rows so far.

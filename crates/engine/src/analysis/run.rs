@@ -252,9 +252,47 @@ impl Prepared {
         }
     }
 
+    /// The motion at t = 0, to be stepped from outside.
+    ///
+    /// # Errors
+    /// What [`Prepared::run`] refuses, a motion that is not integrated, and a start that is impossible.
+    pub fn begin(&self) -> Result<dynamics::Stepped, Stop> {
+        let (system, question) = (&self.system, &self.question);
+        self.complete(|| {
+            if question.kind != Kind::Free {
+                let message = "only dynamics can be stepped, which integrates a motion";
+                let complaint = Complaint::new("analysis.type", message);
+                return Err(complaint.hint("use \"dynamics\"").into());
+            }
+            let start = self.start()?;
+            if start.is_driven(system) {
+                let message =
+                    "drivers prescribe the whole motion, so that there is nothing to step";
+                let complaint = Complaint::new("drivers", message);
+                return Err(complaint.hint("drive by forces instead").into());
+            }
+            let mut settings = question.dynamics(system)?;
+            settings.watched = None;
+            dynamics::Stepped::new(system, start, &settings, &question.following)
+        })
+    }
+
+    /// Where a motion that is integrated starts.
+    fn start(&self) -> Result<dynamics::Start, Stop> {
+        if let Some(complaint) = assembly::too_short(&self.system) {
+            return Err(complaint.into());
+        }
+        dynamics::Start::of(&self.system)
+    }
+
     /// What the analysis finds.
     fn solve(&self, control: &Control) -> Result<Solved<'_>, Stop> {
-        self.found(control).map_err(|stop| match stop {
+        self.complete(|| self.found(control))
+    }
+
+    /// Complaints of an attempt with what else may be the cause.
+    fn complete<T>(&self, attempt: impl FnOnce() -> Result<T, Stop>) -> Result<T, Stop> {
+        attempt().map_err(|stop| match stop {
             Stop::Input(complaints) => Stop::Input(with(complaints.into(), self.unheld.as_ref()).0),
             failed @ Stop::Failed { .. } => failed,
         })
@@ -273,10 +311,7 @@ impl Prepared {
             Kind::Position => run_assembly(system, question.contents).map(Solved::rows),
             Kind::Prescribed => prescribed(),
             Kind::Free => {
-                if let Some(complaint) = assembly::too_short(system) {
-                    return Err(Stop::Input(vec![complaint]));
-                }
-                let start = dynamics::Start::of(system)?;
+                let start = self.start()?;
                 if start.is_driven(system) && system.timed.is_empty() {
                     return prescribed();
                 }

@@ -179,7 +179,7 @@ impl std::ops::Add for Counters {
 }
 
 /// An integrator that goes step by step; forwards where end > t, backwards where end < t.
-pub trait Stepper: Send {
+pub trait Stepper: Copied + Send {
     /// Starts (again) at (t, y); chooses an initial step where none is given.
     ///
     /// Panics where y or the absolute tolerances don't have the dimension of `ode`.
@@ -209,4 +209,22 @@ pub trait Stepper: Send {
 
     /// True once the explicit method has found the problem stiff.
     fn stiff(&self) -> bool;
+}
+
+/// A stepper that can be copied, whatever it is.
+pub trait Copied {
+    /// A copy, which goes on as this one does.
+    fn copied(&self) -> Box<dyn Stepper>;
+}
+
+impl<T: Stepper + Clone + 'static> Copied for T {
+    fn copied(&self) -> Box<dyn Stepper> {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for Box<dyn Stepper> {
+    fn clone(&self) -> Self {
+        (**self).copied()
+    }
 }

@@ -89,6 +89,7 @@ impl Part {
 }
 
 /// Parts of a mechanism, and the solvers of what takes its place near their change points.
+#[derive(Clone)]
 pub struct Parts<'s> {
     parts: Vec<Followed<'s>>,
     phases: &'s Phases<'s>,
@@ -218,6 +219,7 @@ impl<'s> Parts<'s> {
 }
 
 /// A part and its curves.
+#[derive(Clone)]
 struct Followed<'s> {
     part: &'s Part,
     inputs: Inputs,
@@ -230,6 +232,7 @@ struct Followed<'s> {
     started: f64,
 }
 
+#[derive(Clone)]
 struct Curve {
     path: Path,
     /// Column of the part.

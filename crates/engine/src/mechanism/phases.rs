@@ -7,6 +7,7 @@
 use crate::element::Constraint;
 use crate::element::pair::Hold;
 use crate::system::System;
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 /// For each part the window in which its smooth branch stands for its joints.
@@ -18,7 +19,7 @@ pub type Exchanged = Vec<(usize, Arc<dyn Constraint>)>;
 /// A mechanism in all phases that it has been in.
 pub struct Phases<'m> {
     /// With all contacts in flight.
-    whole: &'m System,
+    whole: Cow<'m, System>,
     first: Link,
 }
 
@@ -45,11 +46,16 @@ impl Drop for Phase {
 
 impl<'m> Phases<'m> {
     /// Of the mechanism with all contacts in flight.
-    pub fn new(whole: &'m System) -> Self {
+    pub fn new(whole: Cow<'m, System>) -> Self {
         Phases {
             whole,
             first: Link::new(),
         }
+    }
+
+    /// The mechanism with all contacts in flight.
+    pub fn whole(&self) -> &System {
+        &self.whole
     }
 
     /// The system in which the contacts are held so, and the parts are in these windows; `exchanged` makes what stands for them
@@ -63,7 +69,7 @@ impl<'m> Phases<'m> {
         let held = holds.iter().copied().enumerate();
         let held: Vec<(usize, Hold)> = held.filter(|(_, hold)| *hold != Hold::Free).collect();
         if held.is_empty() && windows.iter().all(Option::is_none) {
-            return self.whole;
+            return &self.whole;
         }
         let mut link = &self.first;
         while let Some(phase) = link.get() {

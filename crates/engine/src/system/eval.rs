@@ -1,6 +1,6 @@
 //! Evaluation of a system at a state, without allocation.
 
-use super::System;
+use super::{Pushes, System};
 use crate::element::pair::{Contact, ContactId, Reading};
 use crate::element::{Applied, Kinematics, Layout, Pose, Twist};
 use crate::motion::Jet;
@@ -24,6 +24,8 @@ pub struct Inputs {
     pub(crate) states: Vec<f64>,
     /// What is added to φ (m) [m or rad]: gaps that joints are given; empty where there are none.
     pub gaps: Vec<f64>,
+    /// Forces from outside the model.
+    pub(crate) pushes: Pushes,
     /// \[s\]
     pub time: f64,
 }
@@ -46,6 +48,7 @@ impl Inputs {
             sides: Vec::new(),
             states: system.states.iter().map(|state| state.start).collect(),
             gaps: Vec::new(),
+            pushes: Pushes::None,
             time: 0.0,
         }
     }
@@ -122,6 +125,22 @@ impl Evaluation {
         }
     }
 
+    /// The coordinates taken (n).
+    pub(super) fn position(&self) -> Vec<f64> {
+        let poses = self.poses[1..].iter();
+        poses
+            .flat_map(|pose| [pose.r.x, pose.r.y, pose.theta])
+            .collect()
+    }
+
+    /// The velocities taken (n).
+    pub(super) fn velocity(&self) -> Vec<f64> {
+        let twists = self.twists[1..].iter();
+        twists
+            .flat_map(|twist| [twist.v.x, twist.v.y, twist.omega])
+            .collect()
+    }
+
     /// φ at the position taken.
     pub fn eval_phi(&mut self, system: &System, inputs: &Inputs) {
         let mut phi = std::mem::take(&mut self.phi);
@@ -161,10 +180,11 @@ impl Evaluation {
         }
     }
 
-    /// Q (n): gravity, springs, loads, contacts.
+    /// Q (n): gravity, springs, loads, contacts, and what comes from outside.
     pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
         let gravity = [system.gravity.x, system.gravity.y];
         system.mass.weigh(&system.layout, gravity, q_force);
+        inputs.pushes.add(self, inputs.time, q_force);
         if system.forces.is_empty() && system.contacts.is_empty() {
             return;
         }
@@ -217,7 +237,9 @@ impl Evaluation {
     /// Power that force elements bring in beside their potential \[W\].
     pub(crate) fn supplied(&self, system: &System, inputs: &Inputs) -> f64 {
         let at = self.kinematics(inputs);
-        system.forces.iter().map(|force| force.supplied(&at)).sum()
+        let forces = system.forces.iter();
+        let own: f64 = forces.map(|force| force.supplied(&at)).sum();
+        own + inputs.pushes.power(system, self, inputs.time)
     }
 
     /// Kinetic energy ½ vᵀ M v \[J\].

@@ -17,6 +17,7 @@ mod joint;
 mod led;
 mod mass;
 mod matrices;
+mod pushes;
 mod roles;
 mod rows;
 mod scale;
@@ -31,6 +32,7 @@ pub use eval::{Evaluation, Inputs};
 pub use joint::JointData;
 pub use mass::Mass;
 pub use matrices::{Terms, write_matrix_market};
+pub use pushes::{ForceLaw, Pushes};
 pub use roles::{
     ClearanceLink, DriverRole, ForceData, ForceRole, JointFriction, JointRole, OutputRatio,
 };
@@ -201,6 +203,8 @@ pub struct System {
     pub size: f64,
     /// Its length, mass and time, by which tolerances are measured.
     pub(crate) scale: Scale,
+    /// Forces may come from outside the model, see [`Pushes`].
+    pub(crate) is_pushed: bool,
     /// How messages speak of it.
     pub(crate) display: DisplayUnits,
     /// Largest coordinate of a point or centre of mass in the frame of its body \[m\].
@@ -212,7 +216,8 @@ pub struct System {
 impl System {
     /// Whether anything but constraints and weights looks at places or velocities while a motion goes on.
     pub(crate) fn looks_at_places(&self) -> bool {
-        let nobody = self.forces.is_empty()
+        let nobody = !self.is_pushed
+            && self.forces.is_empty()
             && self.contacts.is_empty()
             && self.dependent_forces.is_empty()
             && self.states.is_empty()

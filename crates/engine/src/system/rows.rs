@@ -225,6 +225,7 @@ impl System {
             links: 0,
             guess,
             scale: self.scale,
+            is_pushed: false,
             size: size(&extents),
             reach: reach(&extents),
             extents,

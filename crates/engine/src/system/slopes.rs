@@ -12,6 +12,7 @@ use crate::element::Slope;
 pub(crate) type Place = [Option<usize>; 2];
 
 /// Where the entries of a system's derivatives stand: in the order of forces and contacts, and of blocks.
+#[derive(Clone)]
 pub(crate) struct Slopes {
     /// Of the forces' derivatives.
     pub forces: Vec<Place>,

@@ -102,6 +102,7 @@ impl<'s> Simulation<'s> {
             margins: Margins::new(),
             extremes,
             passages,
+            is_pushed_anew: false,
         })
     }
 }

@@ -17,6 +17,7 @@ struct Margin {
 }
 
 /// Margins at the ends of the last two steps.
+#[derive(Clone)]
 pub struct Margins([Margin; 2]);
 
 impl Margins {

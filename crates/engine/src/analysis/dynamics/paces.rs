@@ -21,6 +21,7 @@ pub struct Begun {
 }
 
 /// Lengths of steps \[s\].
+#[derive(Clone)]
 pub struct Paces {
     /// At the beginning of pieces, by contact and kind of its change.
     first: Vec<[Option<f64>; KINDS]>,

@@ -20,6 +20,7 @@ const SAME: f64 = 1e-12;
 const MOST: usize = 1000;
 
 /// The passages of a motion so far.
+#[derive(Clone)]
 pub struct Passages {
     contents: Contents,
     /// Where the mechanism was at the end of what was looked at (n).
@@ -45,6 +46,12 @@ impl Passages {
     /// When the first one was \[s\].
     pub fn first(&self) -> Option<f64> {
         self.times.first().copied()
+    }
+
+    /// Those that nobody has been told.
+    pub fn news(&mut self) -> impl Iterator<Item = Event> + '_ {
+        let times = self.times.drain(..);
+        times.map(|time| Event::at(EventKind::ChangePoint, time))
     }
 
     /// All go to the report.

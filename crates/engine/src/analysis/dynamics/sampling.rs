@@ -8,6 +8,7 @@ use crate::analysis::sample::{ContactSample, Sample};
 use crate::system::System;
 
 /// A sample, and the table that its rows go to.
+#[derive(Clone)]
 pub struct Sampling {
     pub recorder: Recorder,
     pub sample: Sample,

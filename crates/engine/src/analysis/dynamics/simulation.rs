@@ -29,7 +29,9 @@ use linkdyn_output::{Report, Trajectory};
 
 /// How often a step is halved until all within it can be evaluated.
 const HALVINGS: usize = 20;
+
 /// A motion; it begins in [`super::begin`].
+#[derive(Clone)]
 pub struct Simulation<'s> {
     /// The equations of the moment, at the point of the last evaluation.
     pub(super) flow: Flow<'s>,
@@ -49,11 +51,13 @@ pub struct Simulation<'s> {
     pub(super) extremes: Option<Box<Extremes>>,
     /// Change points that were passed.
     pub(super) passages: Passages,
+    /// Forces from outside have changed since the last step.
+    pub(super) is_pushed_anew: bool,
 }
 
 impl<'s> Simulation<'s> {
     /// Time up to which the motion is known \[s\].
-    fn reached(&self) -> f64 {
+    pub(super) fn reached(&self) -> f64 {
         self.event.unwrap_or(self.steps.time())
     }
 
@@ -70,11 +74,16 @@ impl<'s> Simulation<'s> {
             }
             let now = self.reached();
             if let Err(fault) = self.advance() {
-                let (ahead, jammed) = (self.margins.lock_ahead(), &self.jams.contacts);
-                return Err(Ended::at_step(&mut self.flow, fault, now, ahead, jammed));
+                return Err(self.ended(fault, now));
             }
         }
         Ok(())
+    }
+
+    /// Why the motion can't go on from `now`.
+    pub(super) fn ended(&mut self, fault: Fault, now: f64) -> Ended {
+        let (ahead, jammed) = (self.margins.lock_ahead(), &self.jams.contacts);
+        Ended::at_step(&mut self.flow, fault, now, ahead, jammed)
     }
 
     /// Whether anything may end a piece of the motion.
@@ -92,6 +101,11 @@ impl<'s> Simulation<'s> {
             self.state.take(self.flow.layout(), self.steps.y());
             self.steps
                 .begin_at_break(&mut self.flow, &self.state, time)?;
+        }
+        if std::mem::take(&mut self.is_pushed_anew) {
+            self.state.take(self.flow.layout(), self.steps.y());
+            let time = self.steps.time();
+            self.steps.begin_again(&mut self.flow, &self.state, time)?;
         }
         if self.flow.equations.choose_better()? {
             self.state.take(self.flow.layout(), self.steps.y());
@@ -252,7 +266,7 @@ impl<'s> Simulation<'s> {
     }
 
     /// What happens at an event: impulses, then phases that end. The motion starts again from there.
-    fn change(&mut self, time: f64) -> Result<(), Fault> {
+    pub(super) fn change(&mut self, time: f64) -> Result<(), Fault> {
         let time = self.met(time)?;
         self.hand_over();
         self.pass();

@@ -12,6 +12,7 @@ use crate::integrate::{Counters, Limits, Method, Refused, StepFailure, Stepper};
 const BEFORE_BREAK: f64 = 16.0 * f64::EPSILON;
 
 /// The stepper at work.
+#[derive(Clone)]
 pub struct Steps {
     method: Method,
     wanted: Wanted,
@@ -160,6 +161,11 @@ impl Steps {
     /// Where the run ends \[s\].
     pub fn end(&self) -> f64 {
         self.end
+    }
+
+    /// Steps go until there from now on \[s\].
+    pub fn set_end(&mut self, end: f64) {
+        self.end = end;
     }
 
     /// What is wanted of a step's error.

@@ -9,7 +9,7 @@ const MANY: usize = 100;
 const AT_ONCE: f64 = 1e-7;
 
 /// The changes so far.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Switches {
     last: Option<f64>,
     /// How many have followed each other at once.

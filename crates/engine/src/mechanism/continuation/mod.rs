@@ -21,13 +21,13 @@ mod path;
 mod turn;
 mod walk;
 
+use path::LastGap;
 pub use path::{Branch, Path, Source, Window};
 pub use turn::HALF_TURN;
 
 use super::driven::{Driven, Failure};
 use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;
-use std::sync::atomic::AtomicUsize;
 use walk::{Mark, Walker};
 
 /// What the path's parameter is.
@@ -173,7 +173,7 @@ pub fn follow(
         parameter,
         nodes,
         errors: Vec::new(),
-        last: AtomicUsize::new(1),
+        last: LastGap::default(),
         tolerance: 0.0,
         is_wide: false,
         windows: Vec::new(),

@@ -24,7 +24,23 @@ pub struct Window {
     pub(super) branch: Option<Osculating>,
 }
 
+/// The gap that was asked for last, where the next search begins.
+pub(super) struct LastGap(AtomicUsize);
+
+impl Default for LastGap {
+    fn default() -> Self {
+        LastGap(AtomicUsize::new(1))
+    }
+}
+
+impl Clone for LastGap {
+    fn clone(&self) -> Self {
+        LastGap(AtomicUsize::new(self.0.load(Relaxed)))
+    }
+}
+
 /// The path: nodes in ascending s.
+#[derive(Clone)]
 pub struct Path {
     /// What s is.
     pub parameter: Parameter,
@@ -32,8 +48,7 @@ pub struct Path {
     /// Error of q″ of the polynomial through the four nodes around the gap after each node [rad or sizes, by the square of the
     /// parameter's unit]; empty where it was not looked for.
     pub(super) errors: Vec<f64>,
-    /// The gap that was asked for last.
-    pub(super) last: AtomicUsize,
+    pub(super) last: LastGap,
     /// Where it is no more than this, q, q′ and q″ count as known.
     pub(crate) tolerance: f64,
     /// Nodes are few, and six of them tell what is between them. Where the path repeats itself, the first ones follow on the last, and
@@ -242,7 +257,7 @@ impl Path {
     /// The node that ends the gap that holds `s`; one for the end of the list where the path comes round. An integrator's points
     /// mostly lie in the gap of the one before.
     fn gap(&self, s: f64) -> usize {
-        let last = self.last.load(Relaxed);
+        let last = self.last.0.load(Relaxed);
         if let Some([from, to]) = self.nodes.get(last.wrapping_sub(1)..=last)
             && (from.s..to.s).contains(&s)
         {
@@ -253,7 +268,7 @@ impl Path {
             Some(_) => after,
             None => after.clamp(1, self.nodes.len() - 1),
         };
-        self.last.store(gap, Relaxed);
+        self.last.0.store(gap, Relaxed);
         gap
     }
 

@@ -4,6 +4,7 @@ use linkdyn_linear::hermite::{Node, quintic};
 
 /// The last two accepted points, and S at the later one where it is at hand. On a curve that comes round nothing is predicted from
 /// them: of the later one there is no more than what it is found again by.
+#[derive(Clone)]
 pub(super) struct Accepted {
     /// The later one: time, position, velocity and acceleration (n), or nothing.
     pub here: Node,

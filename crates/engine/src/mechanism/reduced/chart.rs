@@ -18,6 +18,7 @@ use crate::mechanism::driven::{Driven, Failure};
 use crate::mechanism::parts::Parts;
 
 /// The charts there are.
+#[derive(Clone)]
 pub(super) enum Chart<'s> {
     /// Coordinates, and bridges across parts' change points.
     Coordinates(Extrapolation<'s>),

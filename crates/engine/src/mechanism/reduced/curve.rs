@@ -23,6 +23,7 @@ const KNOWN: f64 = 1e-12;
 const CLOSE: f64 = 1e-8;
 
 /// The curve, as far as it was followed.
+#[derive(Clone)]
 pub(super) struct Curve<'s> {
     path: Option<Path>,
     /// Where positions come from beyond the curve's ends.

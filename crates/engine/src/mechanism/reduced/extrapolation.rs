@@ -5,7 +5,7 @@ use crate::mechanism::driven::{Driven, Failure};
 use crate::mechanism::parts::Parts;
 
 /// Positions predicted from the accepted points, where there are parts across their change points.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Extrapolation<'s> {
     pub bridge: Option<Parts<'s>>,
 }

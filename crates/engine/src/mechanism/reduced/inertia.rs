@@ -26,6 +26,7 @@ pub enum Solver {
 }
 
 /// Who solves.
+#[derive(Clone)]
 pub(super) enum Inertia {
     /// Dense, by tangents.
     Tangents(Tangents),

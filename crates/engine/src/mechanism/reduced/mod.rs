@@ -65,6 +65,7 @@ use sequence::Sequence;
 use stages::Stages;
 
 /// A mechanism with freedom left.
+#[derive(Clone)]
 pub struct Reduced<'s> {
     /// Solver of the dependent coordinates.
     driven: Driven<'s>,
@@ -184,6 +185,7 @@ impl<'s> Reduced<'s> {
         inputs.contacts.clone_from(&self.inputs.contacts);
         inputs.sides.clone_from(&self.inputs.sides);
         inputs.states.clone_from(&self.inputs.states);
+        inputs.pushes.clone_from(&self.inputs.pushes);
         // A journal that rolls round and round has no closed curve, and does so for a short time only.
         let is_curve = is_curve(system, columns.len()) && !holds.contains(&Hold::Sticks);
         let point = (&self.q[..], &self.v[..], inputs);

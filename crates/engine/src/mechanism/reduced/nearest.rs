@@ -12,6 +12,7 @@ use crate::mechanism::driven::Driven;
 use linkdyn_linear::gram::Gram;
 
 /// The matrix of a choice of rows, and its factors.
+#[derive(Clone)]
 pub(super) struct Nearest {
     gram: Gram,
     /// The entries of J that it is made of, each with its weight.

@@ -22,6 +22,7 @@ const IN_VAIN: u32 = 4;
 pub(super) type Terms = [f64; 4];
 
 /// What is known of the stretches so far.
+#[derive(Clone)]
 pub(super) struct Profile {
     stretches: Vec<Stretch>,
     /// The one asked for last.
@@ -33,6 +34,7 @@ pub(super) struct Profile {
     in_vain: u32,
 }
 
+#[derive(Clone)]
 struct Stretch {
     /// Stretches are numbered from the coordinate's zero, and stand by number.
     number: i64,

@@ -50,6 +50,7 @@ struct Place {
 }
 
 /// The matrix of a choice of rows, and its factors.
+#[derive(Clone)]
 pub(super) struct Saddle {
     layout: Slopes,
     /// Columns that move (w), with their scales and masses, and the place of each independent coordinate among them (f).

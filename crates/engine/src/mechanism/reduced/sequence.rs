@@ -40,6 +40,7 @@ struct Turn {
 }
 
 /// The order of a choice of rows and independent coordinates.
+#[derive(Clone)]
 pub(super) struct Sequence {
     /// Which choice it is of.
     revision: u64,

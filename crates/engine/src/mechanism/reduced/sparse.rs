@@ -23,6 +23,7 @@ use std::sync::Arc;
 const PROBED: f64 = 0.75;
 
 /// The matrix of a choice of rows, and its factors.
+#[derive(Clone)]
 pub(super) struct Sparse {
     /// Which choice it is of.
     revision: u64,
@@ -55,7 +56,7 @@ pub(super) struct Sparse {
 }
 
 /// A cheap look for coordinates that move more than the independent ones: all of these at once, in directions by chance.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Probe {
     motion: Vec<f64>,
     signs: u64,

@@ -27,6 +27,7 @@ struct Stage {
 }
 
 /// What an implicit method needs of a mechanism.
+#[derive(Clone)]
 pub(super) struct Stages {
     matrices: Option<Matrices>,
     stages: Vec<Stage>,
@@ -35,6 +36,7 @@ pub(super) struct Stages {
 }
 
 /// The matrices of a choice of rows and independent coordinates.
+#[derive(Clone)]
 struct Matrices {
     /// Which choice they are of.
     revision: u64,

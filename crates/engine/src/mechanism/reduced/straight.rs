@@ -15,6 +15,7 @@ use linkdyn_linear::order::ColumnOrder;
 use linkdyn_linear::pattern::square;
 
 /// The matrices of a choice of rows and independent coordinates.
+#[derive(Clone)]
 pub(super) struct Straight {
     /// Columns that move, and among these the place of each independent coordinate (f).
     moving: Vec<u32>,

@@ -9,6 +9,7 @@ use linkdyn_linear::small::{cholesky, cholesky_solve};
 const MASSLESS: f64 = 1e-13;
 
 /// S and what is made of it.
+#[derive(Clone)]
 pub(super) struct Tangents {
     n: usize,
     /// S, one tangent after the other (f × n).

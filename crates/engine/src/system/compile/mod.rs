@@ -120,6 +120,7 @@ impl<'a> Compiler<'a> {
             guess: Vec::new(),
             size: 1.0,
             scale: Scale::SI,
+            is_pushed: false,
             display: model.display.clone(),
             reach: 0.0,
             extents: Vec::new(),

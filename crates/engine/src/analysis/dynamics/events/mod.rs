@@ -21,7 +21,7 @@ const BEYOND: f64 = 1e-3;
 const ROUGH: f64 = 0.1;
 
 /// Finds the events of steps.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Events(Sweep);
 
 impl Events {

@@ -79,7 +79,7 @@ impl Open {
 }
 
 /// Looks through steps; it keeps its memory from one to the next.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Sweep {
     /// The first of them are the evaluations of the step, in the order of time.
     nodes: Vec<Node>,

@@ -17,6 +17,7 @@ struct Episode {
 }
 
 /// Rows at events.
+#[derive(Clone)]
 pub struct Episodes {
     /// All events are wanted as outputs.
     all: bool,

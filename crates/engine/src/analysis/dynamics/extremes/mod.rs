@@ -35,6 +35,7 @@ const WIDTH: f64 = 0.03;
 const NARROWER: f64 = 0.2;
 
 /// The extremes so far.
+#[derive(Clone)]
 pub struct Extremes {
     /// What fills rows.
     sampling: Sampling,

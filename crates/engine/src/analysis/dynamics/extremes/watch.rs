@@ -59,6 +59,7 @@ impl Node {
 pub const SIDES: [f64; 2] = [-1.0, 1.0];
 
 /// Extremes of a motion.
+#[derive(Clone)]
 pub struct Watch {
     watched: Vec<Watched>,
     /// Least and largest, by quantity.

@@ -49,6 +49,7 @@ impl Sample {
 }
 
 /// Times of evaluations, the guards there, and the largest of all of them, above zero where an event has passed.
+#[derive(Clone)]
 pub(super) struct Marks {
     marks: [(f64, f64); REMEMBERED],
     next: usize,

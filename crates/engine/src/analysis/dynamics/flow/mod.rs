@@ -25,6 +25,7 @@ use sustained::{Grip, Sustained};
 const SHORT: usize = 64;
 
 /// A mechanism in motion, with the rows of the moment.
+#[derive(Clone)]
 pub struct Flow<'s> {
     /// Its equations in minimal coordinates.
     pub(super) equations: Reduced<'s>,

@@ -38,6 +38,7 @@ use linkdyn_linear::math::dot;
 const MANY: usize = 1000;
 
 /// What is known of jams so far.
+#[derive(Clone)]
 pub struct Jams {
     /// Rigid contacts, by number, that no forces answer.
     pub contacts: Vec<usize>,

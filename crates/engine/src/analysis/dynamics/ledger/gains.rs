@@ -7,6 +7,7 @@ use crate::system::System;
 use linkdyn_model::display::number;
 
 /// What one joint's impacts have gained.
+#[derive(Clone)]
 struct Gain {
     contact: ContactId,
     impacts: u64,
@@ -17,7 +18,7 @@ struct Gain {
 }
 
 /// Those of all joints.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Gains(Vec<Gain>);
 
 impl Gains {

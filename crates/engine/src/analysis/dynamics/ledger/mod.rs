@@ -13,7 +13,7 @@ use super::words::beyond_range;
 use crate::element::pair::{Contact, ContactId, Phase, Reading, Shape};
 use crate::system::System;
 use gains::Gains;
-use linkdyn_output::{ClearanceSums, Report, StopSums};
+use linkdyn_output::{ClearanceSums, Event, Report, StopSums};
 
 pub use history::{Entry, History};
 
@@ -21,6 +21,7 @@ pub use history::{Entry, History};
 pub type Listener<'l> = &'l mut dyn FnMut(&Ledger, &mut LastStep, usize, f64);
 
 /// What every contact has done.
+#[derive(Clone)]
 pub struct Ledger {
     accounts: Vec<Account>,
     gains: Gains,
@@ -29,6 +30,7 @@ pub struct Ledger {
 }
 
 /// Of one contact.
+#[derive(Clone)]
 struct Account {
     history: History,
     /// At the end of the last piece of a step.
@@ -210,6 +212,19 @@ impl Ledger {
             self.accounts[contact].last = reading;
         }
         Ok(())
+    }
+
+    /// Whether there are events that nobody has been told.
+    pub fn has_news(&self) -> bool {
+        let mut accounts = self.accounts.iter();
+        accounts.any(|account| !account.history.events.is_empty())
+    }
+
+    /// Events that nobody has been told.
+    pub fn news(&mut self) -> Vec<Event> {
+        let accounts = self.accounts.iter_mut();
+        let events = accounts.flat_map(|account| account.history.events.drain(..));
+        events.collect()
     }
 
     /// What contacts have done, into the report.

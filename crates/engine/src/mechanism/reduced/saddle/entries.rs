@@ -3,7 +3,7 @@
 use crate::system::{Slopes, System};
 
 /// The entries of M, of J and Jᵀ, and of the derivatives of forces and constraints, in this order.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Entries {
     pub all: Vec<(usize, usize)>,
     /// By entry that is asked for: its index and the mirrored one's in `all`.
