@@ -10,7 +10,7 @@
 //! | `system`    | a compiled mechanism: rows, columns, patterns, evaluation             |
 //! | `graph`     | bodies are nodes, joints edges: freedoms, loops, islands              |
 //! | `mechanism` | closing, following a path, reactions, reduction to few coordinates    |
-//! | `integrate` | steps of y′ = f(t, y): `dop853`, `radau5`, `radau`                    |
+//! | `integrate` | steps of y′ = f(t, y): `dop853`, `radau`                              |
 //! | `analysis`  | assembly, driven motion, dynamics, statics, modes                     |
 
 pub mod analysis;

@@ -5,7 +5,7 @@ mod ends;
 use crate::ode;
 use crate::ode::{Problem, SOLVED, distance, fixed, run, sample, tolerance};
 use linkdyn_engine::integrate::{
-    Dop853, Limits, Method, Ode, Radau5, Refused, StepFailure, Stepper, Tolerance,
+    Dop853, Limits, Method, Ode, Radau, Refused, StepFailure, Stepper, Tolerance,
 };
 
 /// log₂ of the ratio of errors.
@@ -77,7 +77,7 @@ fn radau5_is_of_order_5_and_its_dense_output_of_3() {
                 min_step: Some(h),
                 ..Limits::default()
             };
-            let mut stepper = Radau5::new(tolerance(n, 1e-3), limits);
+            let mut stepper = Radau::new(tolerance(n, 1e-3), limits);
             let mut problem = solved.problem();
             stepper
                 .start(&mut problem, 0.0, &solved.start(), 8.0)
@@ -110,7 +110,7 @@ fn radau5_is_of_order_5_and_its_dense_output_of_3() {
         let points: Vec<(f64, f64)> = (5..=10)
             .map(|power| {
                 let n = solved.start().len();
-                let mut stepper = Radau5::new(tolerance(n, 10_f64.powi(-power)), Limits::default());
+                let mut stepper = Radau::new(tolerance(n, 10_f64.powi(-power)), Limits::default());
                 let end = run(
                     &mut stepper,
                     &mut solved.problem(),
@@ -183,7 +183,7 @@ fn dop853_is_as_accurate_as_scipy_and_follows_the_tolerance() {
 /// release 2.4, 2008 (the first one in its scaled form at 2).
 #[test]
 fn radau5_and_auto_solve_stiff_problems() {
-    for method in [Method::Radau5, Method::Auto] {
+    for method in [Method::Radau, Method::Auto] {
         for (r, most) in [(1e-4, 3000), (1e-6, 5000), (1e-8, 10000)] {
             let mut stepper = method.stepper(tolerance(2, r), Limits::default());
             let mut problem = Problem::new(2, ode::van_der_pol);
@@ -294,8 +294,7 @@ fn auto_goes_back_where_implicit_steps_cost_more() {
         println!("{method:?} {:?}", stepper.counters());
         stepper.counters()
     };
-    let [auto, explicit, implicit] =
-        [Method::Auto, Method::Dop853, Method::Radau5].map(evaluations);
+    let [auto, explicit, implicit] = [Method::Auto, Method::Dop853, Method::Radau].map(evaluations);
     assert!(
         implicit.evaluations > explicit.evaluations,
         "{implicit:?}, {explicit:?}"

@@ -1,12 +1,12 @@
-//! DOP853 until the problem proves stiff, RADAU5 from there on where that is cheaper.
+//! DOP853 until the problem proves stiff, Radau IIA from there on where that is cheaper.
 //!
 //! The change is made at the start of the step after the fifteenth that speaks for stiffness, and is on trial for some steps:
-//! where RADAU5 takes more evaluations of f for the same time than those fifteen did, DOP853 goes on, and twice as many steps
+//! where Radau IIA takes more evaluations of f for the same time than those fifteen did, DOP853 goes on, and twice as many steps
 //! must speak for the next trial. A contact is stiff by the first measure, for its frequency bounds the steps of an explicit
 //! method; but it is to be followed through each of its periods, which the method of higher order does with fewer evaluations.
 //! A stepper that is started again stays with what it has found.
 
-use super::{Counters, Dop853, Limits, Ode, Refused, StepFailure, Stepper, Stiff, Tolerance};
+use super::{Counters, Dop853, Limits, Ode, Radau, Refused, StepFailure, Stepper, Tolerance};
 
 /// Implicit steps until their length is their own, not the explicit method's.
 const WARM: u32 = 6;
@@ -50,7 +50,7 @@ enum Mode {
 pub struct Auto {
     limits: Limits,
     explicit: Dop853,
-    implicit: Stiff,
+    implicit: Radau,
     mode: Mode,
 }
 
@@ -60,7 +60,7 @@ impl Auto {
         Auto {
             limits,
             explicit: Dop853::new(tolerance.clone(), limits),
-            implicit: Stiff::new(tolerance, limits),
+            implicit: Radau::new(tolerance, limits),
             mode: Mode::Explicit(None),
         }
     }
@@ -91,10 +91,10 @@ impl Auto {
         match self.mode {
             Mode::Explicit(since) if self.explicit.stiff() && self.explicit.t() != end => {
                 let now = Mark::of(&self.explicit);
-                self.implicit.set_limits(Limits {
+                self.implicit.limits = Limits {
                     initial_step: Some(self.explicit.proposal()),
                     ..self.limits
-                });
+                };
                 self.implicit.start(ode, now.t, self.explicit.y(), end)?;
                 self.mode = Mode::Trial {
                     steps: 0,
@@ -138,7 +138,7 @@ impl Auto {
 impl Stepper for Auto {
     fn start(&mut self, ode: &mut dyn Ode, t: f64, y: &[f64], end: f64) -> Result<(), StepFailure> {
         self.explicit.limits = self.limits;
-        self.implicit.set_limits(self.limits);
+        self.implicit.limits = self.limits;
         self.implicit.reserve(ode);
         // What is on trial is tried anew.
         self.mode = match self.mode {

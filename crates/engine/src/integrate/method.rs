@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::{Auto, Dop853, Limits, Stepper, Stiff, Tolerance};
+use super::{Auto, Dop853, Limits, Radau, Stepper, Tolerance};
 
 /// A method of integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,8 +13,8 @@ pub enum Method {
     Auto,
     /// Explicit, of order 8.
     Dop853,
-    /// Implicit, of order 5.
-    Radau5,
+    /// Implicit, of orders 5 to 13. Models call it by its lowest order.
+    Radau,
 }
 
 /// A name that no method has.
@@ -24,14 +24,14 @@ pub struct UnknownMethod(pub String);
 
 impl Method {
     /// Every method.
-    pub const ALL: [Method; 3] = [Method::Auto, Method::Dop853, Method::Radau5];
+    pub const ALL: [Method; 3] = [Method::Auto, Method::Dop853, Method::Radau];
 
     /// The name in models.
     pub fn name(self) -> &'static str {
         match self {
             Method::Auto => "auto",
             Method::Dop853 => "dop853",
-            Method::Radau5 => "radau5",
+            Method::Radau => "radau5",
         }
     }
 
@@ -40,7 +40,7 @@ impl Method {
         match self {
             Method::Auto => Box::new(Auto::new(tolerance, limits)),
             Method::Dop853 => Box::new(Dop853::new(tolerance, limits)),
-            Method::Radau5 => Box::new(Stiff::new(tolerance, limits)),
+            Method::Radau => Box::new(Radau::new(tolerance, limits)),
         }
     }
 }

@@ -1,17 +1,15 @@
 //! Integration of y′ = f(t, y) in time, for few y and a costly f that can refuse a point.
 //!
 //! ```text
-//! method    kind                        order   dense   costs per step            use
-//! dop853    explicit Runge–Kutta           8       7    12 f (15 with output)      smooth motion: the first choice
-//! radau5    implicit Runge–Kutta           5       3    3 f per Newton iteration,  stiff springs and dampers: where
-//!                                                       n f per Jacobian           dop853 takes far too short steps
-//! radau     the same, s = 3, 5 or 7    2 s − 1       s    s f per Newton iteration,  the same, where the equations
-//!           stages                                      their own linear systems   solve systems themselves
-//! auto      dop853, then radau5          8 | 5   7 | 3  as above                   changes over once, when stiff
+//! method    kind                        order   dense   costs per step                 use
+//! dop853    explicit Runge–Kutta           8       7    12 f (15 with output)           smooth motion: the first choice
+//! radau     implicit Runge–Kutta,      2 s − 1     s    s f per Newton iteration,       stiff springs and dampers: where
+//!           s = 3, 5 or 7 stages                        n f per Jacobian by differences dop853 takes far too short steps
+//! auto      dop853, then radau                          as above                        changes over once, when stiff
 //! ```
 //!
-//! Which of the two implicit ones is taken is no choice of the user's: [`Stiff`] asks the equations whether they solve the systems
-//! of Newton's iteration themselves ([`Implicit`]).
+//! The linear systems of Newton's iteration are solved by the equations themselves where they can ([`Implicit`]), by differences and dense
+//! matrices otherwise.
 //!
 //! A step from t₀ to t₁ is accepted when the estimated local error e satisfies
 //! √(Σ (eᵢ / (atolᵢ + rtol · max(|yᵢ(t₀)|, |yᵢ(t₁)|)))² / n) ≤ 1. All roots in the step-size control are square roots
@@ -19,7 +17,7 @@
 //! nothing.
 //!
 //! Sources: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. 1993 (dop853);
-//! E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd ed. 1996 (radau5).
+//! E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, 2nd ed. 1996 (radau).
 
 use thiserror::Error;
 
@@ -29,18 +27,13 @@ mod dop853;
 mod dop853_tableau;
 mod method;
 mod radau;
-mod radau5;
-mod radau5_tableau;
 mod radau_tableau;
-mod stiff;
 mod stiffness;
 
 pub use auto::Auto;
 pub use dop853::Dop853;
 pub use method::{Method, UnknownMethod};
 pub use radau::Radau;
-pub use radau5::Radau5;
-pub use stiff::Stiff;
 
 /// A point where the right-hand side can't be evaluated: the step was too bold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
@@ -65,7 +58,7 @@ pub trait Ode {
     /// The last evaluation before was at exactly this point.
     fn accept(&mut self, t: f64, y: &[f64]);
 
-    /// These equations as such that solve an implicit method's linear systems themselves; none where the method has to, by
+    /// These equations as such that solve an implicit method's linear systems themselves; `None` where the method has to, by
     /// differences and dense matrices. It stays what it is while a stepper goes on.
     fn implicit(&mut self) -> Option<&mut dyn Implicit> {
         None

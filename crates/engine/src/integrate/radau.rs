@@ -1,4 +1,4 @@
-//! Radau IIA of orders 5, 9 and 13, for stiff problems that solve their own linear systems.
+//! Radau IIA of orders 5, 9 and 13: an implicit Runge–Kutta method, for stiff problems.
 //!
 //! ```text
 //! Z = h A F(y + Z)                          s = 3, 5, 7 stages; the last one is the end of the step
@@ -7,8 +7,11 @@
 //! h′ = h · 0.9 e^(−1/(s+1)) · min(1, (h/h₋) (e₋/e)^(1/(s+1)))     predictive control, within h/5 … 8 h
 //! ```
 //!
-//! As [`super::radau5`], with two differences. Who has the equations solves the systems with J ([`Implicit`]), and may do so with
-//! sparse matrices. And the number of stages follows the convergence of Newton's iteration: what converges at once has steps that are
+//! J is kept while Newton's iteration converges well, and the factors while h changes little. The systems with J are solved by the
+//! equations themselves where they can ([`super::Implicit`], with sparse matrices); otherwise J is made by differences of f, n evaluations, and its factors
+//! are dense, and the order stays 5: forces that differences are made for have kinks, which longer steps miss. The continuous extension is the collocation polynomial, of order s; it also starts the next iteration.
+//!
+//! The number of stages follows the convergence of Newton's iteration: what converges at once has steps that are
 //! short for want of order, and gets two stages more; what hardly converges gets two less. Ψ = √(Θ Θ₋) of the last two rates
 //! decides, below 0.002 and above 0.8; after a step down ten steps pass before the next one up, which is made only
 //! where the step keeps its length.
@@ -19,7 +22,7 @@
 //! needs J only for convergence, and its systems are no larger than those of one step of an implicit Euler method. At order
 //! 9 and 13 a motion takes a fourth to a tenth of the steps of order 5 at the same error.
 //!
-//! The error is overestimated (order s, not 2 s − 1): as in RADAU5 rtol′ = 0.1 rtol^(3/4), atol in proportion, whatever the order.
+//! The error is overestimated (order s, not 2 s − 1), so tolerances are transformed inside: rtol′ = 0.1 rtol^(3/4), atol in proportion, as in RADAU5, whatever the order.
 //! The power (s + 1)/(2 s), which the orders alone would allow, is too bold where what is stiff moves: there methods of every order
 //! lose theirs, and a chain with stiff springs missed its tolerance twenty times.
 //!
@@ -30,10 +33,13 @@ use super::control::{
     ATTEMPTS, Probe, Rejection, failure, first_step, fit, fourth_root, shortest, weigh,
 };
 use super::radau_tableau::{TABLEAUS, Tableau};
-use super::{Counters, Implicit, Limits, Ode, Refused, StepFailure, Stepper, Tolerance};
+use super::{Counters, Limits, Ode, Refused, StepFailure, Stepper, Tolerance};
 
+mod dense;
 mod order;
 mod stages;
+
+use dense::Dense;
 
 /// Newton iterations per attempt, by number of stages.
 const ITERATIONS: [u32; 3] = [7, 12, 17];
@@ -65,6 +71,8 @@ pub struct Radau {
     eta: f64,
     /// Which of the tableaus is in use, and which the last step was taken with.
     order: usize,
+    /// The highest one that these equations may take.
+    highest: usize,
     order_taken: usize,
     /// Steps until the order may be raised.
     patience: u32,
@@ -80,10 +88,12 @@ pub struct Radau {
     w: Vec<f64>,
     f: Vec<f64>,
     /// Divided differences of the collocation polynomial (s × n).
-    dense: Vec<f64>,
+    differences: Vec<f64>,
     age: Age,
     /// The signed step and the stages that the factors belong to.
     factored: Option<(f64, usize)>,
+    /// The systems of equations that don't solve them themselves.
+    dense: Dense,
 }
 
 /// How good J is.
@@ -106,12 +116,6 @@ struct Converged {
     mean: f64,
 }
 
-/// The equations as those that solve their own systems.
-fn implicit(ode: &mut dyn Ode) -> &mut dyn Implicit {
-    ode.implicit()
-        .expect("equations that solve their own systems go on doing so until the next start")
-}
-
 impl Radau {
     /// A stepper that has not started.
     pub fn new(tolerance: Tolerance, limits: Limits) -> Self {
@@ -129,6 +133,7 @@ impl Radau {
             converged: 0.0,
             eta: 1.0,
             order: 0,
+            highest: 0,
             order_taken: 0,
             patience: 0,
             y: Vec::new(),
@@ -139,14 +144,16 @@ impl Radau {
             z: Vec::new(),
             w: Vec::new(),
             f: Vec::new(),
-            dense: Vec::new(),
+            differences: Vec::new(),
             age: Age::Stale,
             factored: None,
+            dense: Dense::default(),
         }
     }
 
-    /// Makes room for n components.
-    pub(super) fn reserve(&mut self, n: usize) {
+    /// Makes room for the equations.
+    pub(super) fn reserve(&mut self, ode: &mut dyn Ode) {
+        let n = ode.dimension();
         self.n = n;
         for vector in [
             &mut self.y,
@@ -157,8 +164,15 @@ impl Radau {
         ] {
             vector.resize(n, 0.0);
         }
-        for vector in [&mut self.z, &mut self.w, &mut self.f, &mut self.dense] {
+        for vector in [&mut self.z, &mut self.w, &mut self.f, &mut self.differences] {
             vector.resize(MOST * n, 0.0);
+        }
+        self.highest = match ode.implicit() {
+            Some(_) => TABLEAUS.len() - 1,
+            None => 0,
+        };
+        if self.highest == 0 {
+            self.dense.reserve(n, ode.asked());
         }
     }
 
@@ -175,11 +189,7 @@ impl Radau {
         careful: bool,
     ) -> Result<(f64, Converged), Rejection> {
         if self.age == Age::Stale {
-            self.counters.jacobians += 1;
-            implicit(ode)
-                .linearise()
-                .map_err(|Refused| Rejection::Refused)?;
-            (self.age, self.factored) = (Age::Fresh, None);
+            self.linearise(ode, h)?;
         }
         if self.factored != Some((h, self.order)) {
             self.factor(ode, h)?;
@@ -225,7 +235,7 @@ impl Stepper for Radau {
             y.len() == n && self.given.atol.len() == n,
             "y and atol have the dimension of the equations"
         );
-        self.reserve(n);
+        self.reserve(ode);
         self.set_order(0);
         let rtol = 0.1 * self.given.rtol.sqrt() * fourth_root(self.given.rtol);
         self.tolerance.rtol = rtol;

@@ -2,7 +2,6 @@
 
 use super::{Age, Converged, ITERATIONS, PATIENCE, Radau};
 use crate::integrate::control::fourth_root;
-use crate::integrate::radau_tableau::TABLEAUS;
 
 /// Safety factor of the step-size control [-].
 const SAFETY: f64 = 0.9;
@@ -58,7 +57,7 @@ impl Radau {
         } else if converged.mean <= RAISE
             && self.patience == 0
             && STEADY.contains(&factor)
-            && self.order + 1 < TABLEAUS.len()
+            && self.order < self.highest
         {
             self.order + 1
         } else {

@@ -1,6 +1,6 @@
 //! The stages of a step: factors, Newton's iteration, error, and the polynomial through them.
 
-use super::{Converged, ITERATIONS, MOST, Radau, implicit};
+use super::{Converged, ITERATIONS, MOST, Radau};
 use crate::integrate::control::{Rejection, finite, fourth_root, rms, weigh};
 use crate::integrate::radau_tableau::TABLEAUS;
 use crate::integrate::{Ode, Refused};
@@ -24,7 +24,7 @@ impl Radau {
         for (shift, [alpha, beta]) in shifts.iter_mut().zip(tableau.pairs) {
             *shift = [alpha / h, -beta / h];
         }
-        if !implicit(ode).factor(tableau.gamma / h, shifts) {
+        if !self.factor_systems(ode, tableau.gamma / h, shifts) {
             return Err(Rejection::Error);
         }
         self.factored = Some((h, self.order));
@@ -58,13 +58,13 @@ impl Radau {
     /// y(s) − y for the last step, where s counts from its end in steps.
     pub(super) fn polynomial(&self, s: f64, to: &mut [f64]) {
         let (n, stages) = (self.n, TABLEAUS[self.order_taken].stages);
-        to.copy_from_slice(&self.dense[(stages - 1) * n..][..n]);
+        to.copy_from_slice(&self.differences[(stages - 1) * n..][..n]);
         for k in (0..stages).rev() {
             let by = s - self.node(k);
             if k == 0 {
                 to.iter_mut().for_each(|to| *to *= by);
             } else {
-                let lower = &self.dense[(k - 1) * n..][..n];
+                let lower = &self.differences[(k - 1) * n..][..n];
                 to.iter_mut()
                     .zip(lower)
                     .for_each(|(to, d)| *to = d + by * *to);
@@ -80,7 +80,7 @@ impl Radau {
         let last = (stages - 1) * n;
         let end = &self.z[last..][..n];
         for k in 1..=stages {
-            let dense = self.dense[(k - 1) * n..][..n].iter_mut().zip(end);
+            let dense = self.differences[(k - 1) * n..][..n].iter_mut().zip(end);
             match stages - k {
                 0 => dense.for_each(|(d, end)| *d = 0.0 - end),
                 left => {
@@ -92,7 +92,7 @@ impl Radau {
         for width in 1..=stages {
             for k in (width..=stages).rev() {
                 let over = 1.0 / (self.node(k) - self.node(k - width));
-                let (before, here) = self.dense.split_at_mut((k - 1) * n);
+                let (before, here) = self.differences.split_at_mut((k - 1) * n);
                 let here = &mut here[..n];
                 if k > 1 {
                     let lower = here.iter_mut().zip(&before[(k - 2) * n..]);
@@ -110,7 +110,7 @@ impl Radau {
         self.predict(h);
         weigh(&self.tolerance, &self.y, &mut self.weights);
         let eta = self.eta.max(f64::EPSILON);
-        self.eta = eta.sqrt() * fourth_root(eta) * fourth_root(eta.sqrt());
+        self.eta = eta.sqrt() * fourth_root(eta);
         let (mut last, mut rate, mut mean) = (f64::INFINITY, 0.0_f64, 0.0);
         for iteration in 1..=most {
             self.eval_stages(ode, h, iteration == 1)?;
@@ -160,10 +160,13 @@ impl Radau {
             }
             let slope = &mut self.f[stage * n..][..n];
             self.counters.evaluations += 1;
-            implicit(ode)
-                .eval_stage((stage, first), self.t + c * h, &self.stage, slope)
-                .and_then(|()| finite(slope))
-                .map_err(|Refused| Rejection::Refused)?;
+            let t = self.t + c * h;
+            match ode.implicit() {
+                Some(own) => own.eval_stage((stage, first), t, &self.stage, slope),
+                None => ode.eval(t, &self.stage, slope),
+            }
+            .and_then(|()| finite(slope))
+            .map_err(|Refused| Rejection::Refused)?;
         }
         Ok(())
     }
@@ -176,7 +179,10 @@ impl Radau {
         let by = tableau.gamma / h;
         let (real, pairs) = self.z[..tableau.stages * n].split_at_mut(n);
         real.iter_mut().zip(&self.w).for_each(|(z, w)| *z -= by * w);
-        implicit(ode).solve(real);
+        match ode.implicit() {
+            Some(own) => own.solve(real),
+            None => self.dense.solve(real),
+        }
         for (pair, [alpha, beta]) in tableau.pairs.iter().enumerate() {
             let at = 2 * pair * n;
             let (b, c) = pairs[at..at + 2 * n].split_at_mut(n);
@@ -185,7 +191,10 @@ impl Radau {
                 *b -= (alpha * of_b + beta * of_c) / h;
                 *c -= (alpha * of_c - beta * of_b) / h;
             }
-            implicit(ode).solve_complex(pair, [b, c]);
+            match ode.implicit() {
+                Some(own) => own.solve_complex(pair, [b, c]),
+                None => self.dense.solve_complex([b, c]),
+            }
         }
         let parts = self.z[..tableau.stages * n].chunks_exact(n.max(1));
         let sum: f64 = parts
@@ -211,7 +220,10 @@ impl Radau {
             let size = self.y[i].abs().max((self.y[i] + last[i]).abs());
             *weight = 1.0 / self.tolerance.bound(i, size);
         }
-        implicit(ode).solve(error);
+        match ode.implicit() {
+            Some(own) => own.solve(error),
+            None => self.dense.solve(error),
+        }
         rms(error, &self.weights)
     }
 }
