@@ -1,7 +1,40 @@
 //! What may stand where in a model file: one typed description, from which the schema is printed, a file is read, the
 //! numbers of a model are checked, and a model is printed back.
 
+use std::fmt;
+use std::ops::Deref;
+use std::sync::LazyLock;
+
 use crate::dimension::Dimension;
+
+/// What the table describes under a name, read when it is first needed.
+pub struct Described<T> {
+    /// The name in the schema; of a kind its `type`.
+    pub name: &'static str,
+    read: LazyLock<T, Box<dyn FnOnce() -> T + Send>>,
+}
+
+impl<T> Described<T> {
+    /// What `read` gives.
+    pub fn new(name: &'static str, read: impl FnOnce() -> T + Send + 'static) -> Self {
+        let read = LazyLock::new(Box::new(read) as Box<dyn FnOnce() -> T + Send>);
+        Described { name, read }
+    }
+}
+
+impl<T> Deref for Described<T> {
+    type Target = T;
+    fn deref(&self) -> &T {
+        &self.read
+    }
+}
+
+/// A description may lead back to itself.
+impl<T> fmt::Debug for Described<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
 
 /// Which numbers are legal.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,7 +143,7 @@ pub enum Shape {
     /// Any text.
     Text,
     /// One of some words.
-    Choice(&'static Choice),
+    Choice(&'static Described<Choice>),
     /// The name of something.
     Name(Named),
     /// A point of a body, `body.point`.
@@ -148,9 +181,9 @@ pub enum Shape {
     /// Points (t, value), at least two.
     Table,
     /// A table of formulas: an object whose entries bring their units.
-    Curve(&'static Object),
+    Curve(&'static Described<Object>),
     /// An integrated state: an object whose dimension is that of its rate by time.
-    State(&'static Object),
+    State(&'static Described<Object>),
     /// The points of a table.
     Entries,
     /// A number of one, with its unit.
@@ -176,7 +209,7 @@ pub enum Shape {
     /// The bodies by their names, `ground` of its own kind.
     Bodies,
     /// An object with keys.
-    Object(&'static Object),
+    Object(&'static Described<Object>),
     /// An object whose keys depend on its `type`.
     Tagged(&'static Tagged),
 }
@@ -227,8 +260,6 @@ pub struct Field {
 /// An object with keys.
 #[derive(Debug)]
 pub struct Object {
-    /// Its name in the schema; of a variant its `type`.
-    pub name: &'static str,
     /// What it is.
     pub about: &'static str,
     /// Its keys.
@@ -267,12 +298,12 @@ pub struct Tagged {
     /// What they are.
     pub about: &'static str,
     /// Each kind, its name the `type`.
-    pub variants: Vec<Object>,
+    pub variants: Vec<Described<Object>>,
 }
 
 impl Tagged {
     /// The kind of a `type`.
-    pub fn variant(&self, name: &str) -> Option<&Object> {
+    pub fn variant(&self, name: &str) -> Option<&Described<Object>> {
         self.variants.iter().find(|variant| variant.name == name)
     }
 }
@@ -280,8 +311,6 @@ impl Tagged {
 /// Some words.
 #[derive(Debug)]
 pub struct Choice {
-    /// Their name in the schema.
-    pub name: &'static str,
     /// What they are for.
     pub about: &'static str,
     /// Each word.

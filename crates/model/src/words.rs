@@ -1,13 +1,14 @@
 //! The words of a model file: what each key means, and what may stand there. All of it stands in the table `words.txt`, from
-//! which a file is read, the numbers of a model are checked, a model is printed back and the schema is made.
+//! which a file is read, the numbers of a model are checked, a model is printed back and the schema is made. The program finds the
+//! names in the table when it first needs one, and reads what is described under a name when somebody asks for it.
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use crate::dimension::Dimension;
 use crate::shape::{
-    Asked, Bound, Choice, Default, Drives, Either, Field, Measure, Named, Need, Object, Shape,
-    Tagged, Word,
+    Asked, Bound, Choice, Default, Described, Drives, Either, Field, Measure, Named, Need, Object,
+    Shape, Tagged, Word,
 };
 
 const TABLE: &str = include_str!("words.txt");
@@ -25,9 +26,9 @@ pub enum Definition {
     /// Materials, and what they are.
     Materials(&'static str),
     /// Vocabulary.
-    Choice(&'static Choice),
+    Choice(&'static Described<Choice>),
     /// An object.
-    Object(&'static Object),
+    Object(&'static Described<Object>),
     /// Objects told apart by their `type`.
     Tagged(&'static Tagged),
 }
@@ -38,7 +39,7 @@ static WORDS: LazyLock<Vocabulary> = LazyLock::new(|| Vocabulary::read(TABLE));
 ///
 /// # Panics
 /// The table has none of this name; the names in the code are those of the table.
-pub fn object(name: &str) -> &'static Object {
+pub fn object(name: &str) -> &'static Described<Object> {
     match WORDS.known.get(name) {
         Some(Definition::Object(found)) => found,
         _ => panic!("words.txt describes no object {name:?}"),
@@ -46,7 +47,7 @@ pub fn object(name: &str) -> &'static Object {
 }
 
 /// The whole file.
-pub fn file() -> &'static Object {
+pub fn file() -> &'static Described<Object> {
     object("linkdyn/1")
 }
 
@@ -87,14 +88,14 @@ struct Block {
     rows: Vec<&'static str>,
 }
 
-/// The table as read.
+/// The names of the table.
 struct Vocabulary {
-    blocks: Vec<Block>,
+    blocks: &'static [Block],
     known: HashMap<&'static str, Definition>,
 }
 
 impl Vocabulary {
-    /// Reads the whole table, which is a part of the program: a line that can't be read ends it with that line.
+    /// Finds the descriptions in the table.
     fn read(table: &'static str) -> Vocabulary {
         let mut blocks: Vec<Block> = Vec::new();
         let lines = table.lines().filter(|line| !line.starts_with('#'));
@@ -104,20 +105,18 @@ impl Vocabulary {
                 _ => blocks.push(first_line(line).unwrap_or_else(|| broken(line))),
             }
         }
-        let mut reader = TableReader {
-            blocks: &blocks,
-            known: HashMap::new(),
-        };
-        for (index, block) in blocks.iter().enumerate() {
-            if block.word != "kind" {
-                reader.define(index);
-            }
+        let blocks = blocks.leak();
+        let named = blocks.iter().enumerate();
+        let named = named.filter(|(_, block)| block.word != "kind");
+        let known = named.map(|(index, block)| (block.name, define(block, &blocks[index + 1..])));
+        Vocabulary {
+            known: known.collect(),
+            blocks,
         }
-        let known = reader.known;
-        Vocabulary { blocks, known }
     }
 }
 
+/// The table is a part of the program: a line that can't be read ends it with that line.
 fn broken(line: &str) -> ! {
     panic!("this line of words.txt can't be read: {line}")
 }
@@ -139,164 +138,145 @@ fn first_line(line: &'static str) -> Option<Block> {
     })
 }
 
-/// Reads descriptions, each after those that it names.
-struct TableReader<'b> {
-    blocks: &'b [Block],
-    known: HashMap<&'static str, Definition>,
-}
-
-impl TableReader<'_> {
-    fn define(&mut self, index: usize) -> Definition {
-        let blocks = self.blocks;
-        let block = &blocks[index];
-        if let Some(known) = self.known.get(block.name) {
-            return *known;
-        }
-        let Block { name, about, .. } = *block;
-        let found = match block.word {
-            "format" => Definition::Format(about),
-            "point" => Definition::Point(about),
-            "materials" => Definition::Materials(about),
-            "choice" => Definition::Choice(kept(Choice {
+/// What a block describes, with those below it.
+fn define(block: &'static Block, below: &'static [Block]) -> Definition {
+    let Block { name, about, .. } = *block;
+    match block.word {
+        "format" => Definition::Format(about),
+        "point" => Definition::Point(about),
+        "materials" => Definition::Materials(about),
+        "choice" => Definition::Choice(kept(Described::new(name, move || Choice {
+            about,
+            words: block.rows.iter().map(|&row| word(row)).collect(),
+        }))),
+        "kinds" => {
+            let kinds = below.iter().take_while(|block| block.word == "kind");
+            Definition::Tagged(kept(Tagged {
                 name,
                 about,
-                words: block.rows.iter().map(|&row| word(row)).collect(),
-            })),
-            "kinds" => {
-                let kinds = blocks[index + 1..].iter();
-                let kinds = kinds.take_while(|block| block.word == "kind");
-                Definition::Tagged(kept(Tagged {
-                    name,
-                    about,
-                    variants: kinds.map(|kind| self.object(kind)).collect(),
-                }))
-            }
-            _ => Definition::Object(kept(self.object(block))),
-        };
-        self.known.insert(name, found);
-        found
-    }
-
-    fn object(&mut self, block: &Block) -> Object {
-        let mut object = Object {
-            name: block.name,
-            about: block.about,
-            fields: Vec::new(),
-            refused: Vec::new(),
-            drives: Drives::Nothing,
-            either: None,
-        };
-        for &row in &block.rows {
-            let read = match row.contains('|') {
-                true => self.field(row).map(|field| object.fields.push(field)),
-                false => beside(row, &mut object),
-            };
-            read.unwrap_or_else(|| broken(row));
+                variants: kinds.map(described).collect(),
+            }))
         }
-        object
+        _ => Definition::Object(kept(described(block))),
     }
+}
 
-    /// `key | what stands there | need | about`.
-    fn field(&mut self, row: &'static str) -> Option<Field> {
-        let (key, rest) = columns(row);
-        let (shape, rest) = columns(rest);
-        let (need, about) = columns(rest);
-        let need = match need.split_once(' ') {
-            None if need.is_empty() => Need::Optional,
-            None if need == "required" => Need::Required,
-            Some(("=", value)) => Need::Default(default(value)?),
-            Some(("~", value)) => Need::Silent(default(value)?),
+fn described(block: &'static Block) -> Described<Object> {
+    Described::new(block.name, move || read_object(block))
+}
+
+fn read_object(block: &Block) -> Object {
+    let mut object = Object {
+        about: block.about,
+        fields: Vec::new(),
+        refused: Vec::new(),
+        drives: Drives::Nothing,
+        either: None,
+    };
+    for &row in &block.rows {
+        let read = match row.contains('|') {
+            true => field(row).map(|field| object.fields.push(field)),
+            false => beside(row, &mut object),
+        };
+        read.unwrap_or_else(|| broken(row));
+    }
+    object
+}
+
+/// `key | what stands there | need | about`.
+fn field(row: &'static str) -> Option<Field> {
+    let (key, rest) = columns(row);
+    let (shape, rest) = columns(rest);
+    let (need, about) = columns(rest);
+    let need = match need.split_once(' ') {
+        None if need.is_empty() => Need::Optional,
+        None if need == "required" => Need::Required,
+        Some(("=", value)) => Need::Default(default(value)?),
+        Some(("~", value)) => Need::Silent(default(value)?),
+        _ => return None,
+    };
+    let shape = self::shape(shape)?;
+    Some(Field {
+        key,
+        about,
+        need,
+        shape,
+    })
+}
+
+/// What stands at a place: a word, what it is of, and which numbers are legal.
+fn shape(text: &'static str) -> Option<Shape> {
+    let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
+    let rest = rest.strip_prefix("of ").unwrap_or(rest);
+    let quantity = |text: &str| {
+        let (measure, legal) = text.split_once(' ').unwrap_or((text, ""));
+        Some((self::measure(measure)?, bound(legal)?))
+    };
+    Some(match word {
+        "format" => Shape::Format,
+        "units" => Shape::Units,
+        "parameters" => Shape::Parameters,
+        "text" => Shape::Text,
+        "name" => Shape::Name(match rest {
+            "body" => Named::Body,
+            "joint" => Named::Joint,
+            "driver" => Named::Driver,
             _ => return None,
-        };
-        let shape = self.shape(shape)?;
-        Some(Field {
-            key,
-            about,
-            need,
-            shape,
-        })
-    }
-
-    /// What stands at a place: a word, what it is of, and which numbers are legal.
-    fn shape(&mut self, text: &'static str) -> Option<Shape> {
-        let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
-        let rest = rest.strip_prefix("of ").unwrap_or(rest);
-        let quantity = |text: &str| {
-            let (measure, legal) = text.split_once(' ').unwrap_or((text, ""));
-            Some((self::measure(measure)?, bound(legal)?))
-        };
-        Some(match word {
-            "format" => Shape::Format,
-            "units" => Shape::Units,
-            "parameters" => Shape::Parameters,
-            "text" => Shape::Text,
-            "name" => Shape::Name(match rest {
-                "body" => Named::Body,
-                "joint" => Named::Joint,
-                "driver" => Named::Driver,
-                _ => return None,
-            }),
-            "point" => Shape::Point,
-            "range" => quantity(rest).map(|(measure, bound)| Shape::Range(measure, bound))?,
-            "axes" => quantity(rest).map(|(measure, bound)| Shape::PerAxis(measure, bound))?,
-            "end" => Shape::End(measure(rest)?),
-            "place" => Shape::Place,
-            "nominal" => Shape::Nominal,
-            "deviations" => Shape::Deviations,
-            "alike" => Shape::Alike(bound(rest)?),
-            "number" => Shape::Number(bound(rest)?),
-            "coefficient" => Shape::Coefficient(bound(rest)?),
-            "count" => {
-                let (least, most) = rest.strip_prefix("from ")?.split_once(" to ")?;
-                Shape::Count(least.parse().ok()?, most.parse().ok()?)
-            }
-            "contact_stiffness" => Shape::ContactStiffness,
-            "direction" => Shape::Direction,
-            "pair" => Shape::Pair(kept(self.shape(rest)?)),
-            "list" => {
-                let (least, of) = rest.split_once(" of ")?;
-                Shape::List(kept(self.shape(of)?), least.parse().ok()?)
-            }
-            "table" => Shape::Table,
-            "curve" => Shape::Curve(self.named(rest)?),
-            "state" => Shape::State(self.named(rest)?),
-            "entries" => Shape::Entries,
-            "entry" => Shape::Entry,
-            "varying" => Shape::Varying(Dimension::from_name(rest)?),
-            "formula" => Shape::Formula(Dimension::from_name(rest)?),
-            "event" => Shape::Event,
-            "materials" => Shape::Materials,
-            "map" => Shape::Map(kept(self.shape(rest)?)),
-            "responses" => Shape::Responses,
-            "response" => Shape::Response,
-            "limit" => Shape::Limit,
-            "design" => Shape::Asked(Asked::Design),
-            "sought" => Shape::Asked(Asked::Value),
-            "constraint" => Shape::Asked(Asked::Constraint),
-            "bodies" => Shape::Bodies,
-            name if name.starts_with(char::is_uppercase) => match self.find(name)? {
-                Definition::Choice(of) => Shape::Choice(of),
-                Definition::Object(of) => Shape::Object(of),
-                Definition::Tagged(of) => Shape::Tagged(of),
-                Definition::Format(_) | Definition::Point(_) | Definition::Materials(_) => {
-                    return None;
-                }
-            },
-            _ => quantity(text).map(|(measure, bound)| Shape::Quantity(measure, bound))?,
-        })
-    }
-
-    fn find(&mut self, name: &str) -> Option<Definition> {
-        let is_it = |block: &Block| block.name == name && block.word != "kind";
-        let index = self.blocks.iter().position(is_it)?;
-        Some(self.define(index))
-    }
-
-    fn named(&mut self, name: &str) -> Option<&'static Object> {
-        match self.find(name)? {
-            Definition::Object(object) => Some(object),
-            _ => None,
+        }),
+        "point" => Shape::Point,
+        "range" => quantity(rest).map(|(measure, bound)| Shape::Range(measure, bound))?,
+        "axes" => quantity(rest).map(|(measure, bound)| Shape::PerAxis(measure, bound))?,
+        "end" => Shape::End(measure(rest)?),
+        "place" => Shape::Place,
+        "nominal" => Shape::Nominal,
+        "deviations" => Shape::Deviations,
+        "alike" => Shape::Alike(bound(rest)?),
+        "number" => Shape::Number(bound(rest)?),
+        "coefficient" => Shape::Coefficient(bound(rest)?),
+        "count" => {
+            let (least, most) = rest.strip_prefix("from ")?.split_once(" to ")?;
+            Shape::Count(least.parse().ok()?, most.parse().ok()?)
         }
+        "contact_stiffness" => Shape::ContactStiffness,
+        "direction" => Shape::Direction,
+        "pair" => Shape::Pair(kept(self::shape(rest)?)),
+        "list" => {
+            let (least, of) = rest.split_once(" of ")?;
+            Shape::List(kept(self::shape(of)?), least.parse().ok()?)
+        }
+        "table" => Shape::Table,
+        "curve" => Shape::Curve(object_named(rest)?),
+        "state" => Shape::State(object_named(rest)?),
+        "entries" => Shape::Entries,
+        "entry" => Shape::Entry,
+        "varying" => Shape::Varying(Dimension::from_name(rest)?),
+        "formula" => Shape::Formula(Dimension::from_name(rest)?),
+        "event" => Shape::Event,
+        "materials" => Shape::Materials,
+        "map" => Shape::Map(kept(self::shape(rest)?)),
+        "responses" => Shape::Responses,
+        "response" => Shape::Response,
+        "limit" => Shape::Limit,
+        "design" => Shape::Asked(Asked::Design),
+        "sought" => Shape::Asked(Asked::Value),
+        "constraint" => Shape::Asked(Asked::Constraint),
+        "bodies" => Shape::Bodies,
+        name if name.starts_with(char::is_uppercase) => match *WORDS.known.get(name)? {
+            Definition::Choice(of) => Shape::Choice(of),
+            Definition::Object(of) => Shape::Object(of),
+            Definition::Tagged(of) => Shape::Tagged(of),
+            Definition::Format(_) | Definition::Point(_) | Definition::Materials(_) => {
+                return None;
+            }
+        },
+        _ => quantity(text).map(|(measure, bound)| Shape::Quantity(measure, bound))?,
+    })
+}
+
+fn object_named(name: &str) -> Option<&'static Described<Object>> {
+    match WORDS.known.get(name)? {
+        Definition::Object(object) => Some(object),
+        _ => None,
     }
 }
 

@@ -10,7 +10,7 @@ use crate::error::Complaint;
 use crate::examples;
 use crate::gate::name_fault;
 use crate::node::{Kind, Member, Node, join};
-use crate::shape::{Bound, Drives, Either, Field, Measure, Need, Object, Shape, Tagged};
+use crate::shape::{Bound, Described, Drives, Either, Field, Measure, Need, Object, Shape, Tagged};
 use crate::suggest;
 use crate::tree::Tree;
 use crate::words;
@@ -44,7 +44,7 @@ pub fn shape_of(field: &Field, law: Option<&str>) -> Shape {
 }
 
 /// What a body is; `ground` is one of its own kind.
-pub fn body_of(name: &str) -> &'static Object {
+pub fn body_of(name: &str) -> &'static Described<Object> {
     words::object(if name == FIXED { "Ground" } else { "Body" })
 }
 
