@@ -34,6 +34,8 @@ const FARTHEST: f64 = 7.0;
 const PRESSES: usize = 12;
 /// What is left of a correction is round-off.
 const ROUND_OFF: f64 = 1e-15;
+/// Where a step of Newton changes the output by less, in radians or sizes, a share is reached: round-off is as much.
+const REACHED: f64 = 1e-12;
 /// Shares that are reported: round ones, and squares of eighths, since near a change point c is proportional to y².
 const SHARES: [f64; 9] = [
     0.015625, 0.0625, 0.1, 0.140625, 0.25, 0.390625, 0.5, 0.5625, 0.765625,
@@ -59,6 +61,20 @@ impl Node {
     /// By how much |c| rises with the output to a side.
     fn rise(&self, side: f64) -> f64 {
         side * self.c.signum() * self.ahead[self.q.len()]
+    }
+
+    /// The deviation of the output at a share on the way to another place: of the cubic y(|c|) with the slopes of both, if |c| only
+    /// rises, else of the straight line.
+    fn y_at(&self, to: &Node, share: f64) -> f64 {
+        let (width, height) = (to.c.abs() - self.c.abs(), to.y - self.y);
+        let t = (share - self.c.abs()) / width;
+        let straight = self.y + t * height;
+        let [first, last] = [self, to].map(|node| width / (node.rise(1.0) * height) - 1.0);
+        let is_smooth = |bend: f64| bend > -1.0 && bend < 2.0;
+        if !(is_smooth(first) && is_smooth(last)) {
+            return straight;
+        }
+        straight + height * t * (1.0 - t) * (first * (1.0 - t) - last * t)
     }
 }
 
@@ -228,9 +244,34 @@ impl<'a, 'm> Path<'a, 'm> {
         curve
     }
 
-    /// Where |c| rises to a share.
+    /// Where |c| rises to a share: by Newton's steps from the cubic through both ends and their slopes, within the ends.
     fn at_share(&mut self, from: &Node, to: &Node, share: f64) -> Option<Node> {
-        self.between(from, to, |node, _| node.c.abs() - share)
+        let [mut below, mut above] = [from.clone(), to.clone()];
+        let mut y = from.y_at(to, share);
+        for _ in 0..MOST_PASSES {
+            if (y - below.y) * (y - above.y) > 0.0 {
+                y = 0.5 * (below.y + above.y);
+            }
+            let is_near_above = (y - above.y).abs() < (y - below.y).abs();
+            let (near, other) = match is_near_above {
+                true => (&above, &below),
+                false => (&below, &above),
+            };
+            let found = self.solve(near, y);
+            let found = found.or_else(|| self.solve(other, y))?;
+            let off = found.c.abs() - share;
+            let by = off / found.rise(1.0);
+            if by.abs() <= REACHED * self.unit {
+                return Some(found);
+            }
+            y -= by;
+            if off < 0.0 {
+                below = found;
+            } else {
+                above = found;
+            }
+        }
+        None
     }
 
     /// Where a value changes its sign between two places: by secants, with the weight of an end that stays halved (Illinois).
