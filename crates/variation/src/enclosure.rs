@@ -28,6 +28,9 @@ const WIDENINGS: [f64; 5] = [1.001, 1.02, 1.2, 1.6, 2.5];
 const PASSES: usize = 4;
 /// What widens sums by more than their rounding.
 const WIDENED: f64 = 1.0 + 1e-12;
+/// Bounds of what rows change: in the mean along the way, and anywhere on it.
+const MEAN: usize = 0;
+const ANYWHERE: usize = 1;
 /// Products and their sums are off by this part of their sizes, before there are many.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
@@ -85,18 +88,18 @@ impl Enclosure {
             *off = phi.abs() + 8.0 * f64::EPSILON * system.row_scale(row);
         }
         let mut g: Vec<Pair> = vec![[0.0; 2]; mechanism.sources.len()];
-        let mut unit = vec![0.0; n];
         let mut load = Load {
             lambda: vec![0.0; m],
             size: 0.0,
         };
+        self.inverse.fill(0.0);
+        mechanism.driven.inverse(&mut self.inverse);
         self.residual.fill(0.0);
         let mut sizes = vec![0.0; n];
         let rounding = ROUNDING + m as f64 * f64::EPSILON;
         for column in 0..n {
-            unit[column] = 1.0;
-            mechanism.driven.multipliers(&unit, &mut load.lambda);
-            unit[column] = 0.0;
+            load.lambda
+                .copy_from_slice(&self.inverse[column * m..][..m]);
             mechanism.influences_of(stand, &[None, None], &load, &mut g);
             let sources = mechanism.sources.iter().zip(&g);
             let reach = sources.map(|(source, g)| {
@@ -106,7 +109,6 @@ impl Enclosure {
             let off = self.off.iter().zip(&load.lambda);
             let off: f64 = off.map(|(off, c)| off * c.abs()).sum();
             self.straight[column] = (reach.sum::<f64>() + off) * WIDENED;
-            self.inverse[column * m..][..m].copy_from_slice(&load.lambda);
             sizes.fill(0.0);
             let residual = &mut self.residual[column * n..][..n];
             residual[column] = 1.0;
@@ -129,14 +131,14 @@ impl Enclosure {
         let mut x = self.straight.clone();
         for widening in WIDENINGS {
             for _ in 0..PASSES {
-                x = self.image(&x).0;
+                x = self.image(&self.changes.rows(&x), MEAN);
             }
             let wide: Vec<f64> = x.iter().map(|x| x * widening).collect();
-            let (mut next, mut most) = self.image(&wide);
-            for (k, residual) in self.residual.chunks(x.len()).enumerate() {
-                let left: f64 = residual.iter().zip(&wide).map(|(left, x)| left * x).sum();
-                next[k] += left * WIDENED;
-                most[k] += left * WIDENED - self.straight[k];
+            let rows = self.changes.rows(&wide);
+            let [mut next, mut most] = [MEAN, ANYWHERE].map(|kind| self.image(&rows, kind));
+            for (k, left) in self.left(&wide).enumerate() {
+                next[k] += left;
+                most[k] += left - self.straight[k];
             }
             if is_inside(&next, &wide) && is_inside(&most, &wide) {
                 return Some(self.narrowed(next));
@@ -145,29 +147,31 @@ impl Enclosure {
         None
     }
 
-    /// What follows from |Δq| ≤ X: in the mean along the way, and anywhere on it; but for what C leaves.
-    fn image(&self, x: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let rows = self.changes.rows(x);
-        let mut images = (self.straight.clone(), self.straight.clone());
-        let each = images.0.iter_mut().zip(&mut images.1);
-        for ((mean, most), c) in each.zip(self.inverse.chunks(rows.len())) {
-            for (c, row) in c.iter().zip(&rows) {
-                *mean += c.abs() * row[0];
-                *most += c.abs() * row[1];
-            }
-            (*mean, *most) = (*mean * WIDENED, *most * WIDENED);
-        }
-        images
+    /// What follows from |Δq| ≤ X by what rows change, in the mean along the way or anywhere on it; but for what C leaves.
+    fn image(&self, rows: &[[f64; 2]], kind: usize) -> Vec<f64> {
+        let each = self.straight.iter().zip(self.inverse.chunks(rows.len()));
+        let image = each.map(|(straight, c)| {
+            let of_row = |sum: f64, (c, row): (&f64, &[f64; 2])| sum + c.abs() * row[kind];
+            c.iter().zip(rows).fold(*straight, of_row) * WIDENED
+        });
+        image.collect()
+    }
+
+    /// What C leaves of each coordinate for |Δq| ≤ X.
+    fn left(&self, x: &[f64]) -> impl Iterator<Item = f64> {
+        self.residual.chunks(x.len()).map(move |residual| {
+            let left: f64 = residual.iter().zip(x).map(|(left, x)| left * x).sum();
+            left * WIDENED
+        })
     }
 
     /// The region of an X that holds, which what follows from it makes narrower.
     fn narrowed(&self, mut x: Vec<f64>) -> Region {
         for _ in 0..PASSES {
-            let (mut next, _) = self.image(&x);
-            for (k, residual) in self.residual.chunks(x.len()).enumerate() {
-                let left: f64 = residual.iter().zip(&x).map(|(left, x)| left * x).sum();
-                next[k] += left * WIDENED;
-            }
+            let mut next = self.image(&self.changes.rows(&x), MEAN);
+            next.iter_mut()
+                .zip(self.left(&x))
+                .for_each(|(next, left)| *next += left);
             x = next;
         }
         let rows = self.changes.rows(&x);

@@ -1,5 +1,6 @@
 //! Multipliers: from the transposed factors, of least norm where constraints are redundant, with the forces that depend on them.
 
+use super::motions::TOGETHER;
 use super::{Driven, Failure};
 use crate::system::Inputs;
 use linkdyn_linear::math::{dot, max_abs};
@@ -26,6 +27,31 @@ impl Driven<'_> {
         if self.is_redundant() {
             let basis = self.self_stress();
             project_out(&basis, lambda);
+        }
+    }
+
+    /// J⁻¹ (n × m) by rows: row k has the multipliers λ with Jᵀ λ = e_k, as [`Driven::multipliers`] gives them one by one.
+    pub fn inverse(&mut self, inverse: &mut [f64]) {
+        let (system, m) = (self.system, self.system.m().max(1));
+        let mut columns = vec![[0.0; TOGETHER]; system.n()];
+        for (some, rows) in self.selection.active.chunks(TOGETHER).enumerate() {
+            columns.fill([0.0; TOGETHER]);
+            let scales = self.row_scales.iter().enumerate();
+            for (lane, (row, scale)) in scales.skip(some * TOGETHER).take(TOGETHER).enumerate() {
+                columns[row][lane] = 1.0 / scale;
+            }
+            self.lu.solve_together(&mut columns);
+            for (k, (own, x)) in inverse.chunks_exact_mut(m).zip(&columns).enumerate() {
+                for (&row, x) in rows.iter().zip(x).filter(|(row, _)| **row < m) {
+                    own[row] = x * system.column_scale(k);
+                }
+            }
+        }
+        if self.is_redundant() {
+            let basis = self.self_stress();
+            for own in inverse.chunks_exact_mut(m) {
+                project_out(&basis, own);
+            }
         }
     }
 
