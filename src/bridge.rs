@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use linkdyn_ask::{ModelFile, study};
 use linkdyn_engine::analysis::Control;
-use linkdyn_model::Beside;
+use linkdyn_model::FileAccess;
 use linkdyn_output::{Column, Event, Stage};
 use linkdyn_study::chunks::Shard;
 
@@ -29,7 +29,7 @@ pub fn read(
     allowed: Vec<PathBuf>,
 ) -> Result<Mechanism, Error> {
     let path = path.to_owned();
-    Mechanism::read_beside(stem, text.to_vec(), Beside { path, allowed })
+    Mechanism::read_with_access(stem, text.to_vec(), FileAccess { path, allowed })
 }
 
 /// The mechanism with values of its model set at once, each as `PATH=VALUE`: what is legal only together can be set.

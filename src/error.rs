@@ -30,7 +30,7 @@ pub enum Error {
     /// No bundled model has this name.
     #[error("{name}: {cause}")]
     Bundled {
-        /// As asked for.
+        /// As requested.
         name: String,
         /// Why there is none.
         cause: linkdyn_model::bundled::NotBundled,
@@ -40,7 +40,7 @@ pub enum Error {
     Unknown {
         /// `parameter` or `column`.
         what: &'static str,
-        /// As asked for.
+        /// As requested.
         name: String,
         /// The most similar name that there is.
         nearest: Option<String>,

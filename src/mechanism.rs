@@ -8,7 +8,7 @@ use linkdyn_ask::run::Origin;
 use linkdyn_ask::{ModelFile, Text};
 use linkdyn_engine::analysis::Prepared;
 use linkdyn_model::error::Complaints;
-use linkdyn_model::{Beside, Checked, Loaded, Model, bundled};
+use linkdyn_model::{Checked, FileAccess, Loaded, Model, bundled};
 use linkdyn_output::ColumnId;
 
 use crate::error::Error;
@@ -86,7 +86,7 @@ impl Mechanism {
             cause,
         })?;
         let stem = path.file_stem().unwrap_or_default();
-        Mechanism::read_beside(&stem.to_string_lossy(), text, Beside::of(path))
+        Mechanism::read_with_access(&stem.to_string_lossy(), text, FileAccess::of(path))
     }
 
     /// A bundled model, such as `four-bar`, `lock` or `nfourbar:40`.
@@ -122,12 +122,16 @@ impl Mechanism {
     }
 
     pub(crate) fn read(stem: &str, text: Vec<u8>) -> Result<Self, Error> {
-        Mechanism::read_beside(stem, text, Beside::default())
+        Mechanism::read_with_access(stem, text, FileAccess::default())
     }
 
     /// The text of a file that is there.
-    pub(crate) fn read_beside(stem: &str, text: Vec<u8>, beside: Beside) -> Result<Self, Error> {
-        let text = Text::new(stem.to_owned(), stem.to_owned(), text, beside);
+    pub(crate) fn read_with_access(
+        stem: &str,
+        text: Vec<u8>,
+        access: FileAccess,
+    ) -> Result<Self, Error> {
+        let text = Text::new(stem.to_owned(), stem.to_owned(), text, access);
         Mechanism::load(ModelFile::read(text, Vec::new())?, &[])
     }
 

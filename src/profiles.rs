@@ -18,7 +18,7 @@ const MILLIMETRES: f64 = 1e3;
 /// Room around a drawing, by its size.
 const MARGIN: f64 = 0.05;
 
-/// Writes the files of all cams; none where there are no cams.
+/// Writes the files of all cams; `None` if there are no cams.
 pub(crate) fn write(directory: &Directory, model: &Checked) -> Result<Vec<PathBuf>, WriteError> {
     let mut paths = Vec::new();
     for profile in profiles(model) {

@@ -37,7 +37,7 @@ impl Quantity {
         })
     }
 
-    /// `si` in the SI unit that `unit` names; empty of a plain number. None where that is no unit of whole powers.
+    /// `si` in the SI unit that `unit` names; empty of a plain number. `None` if that is no unit of whole powers.
     pub(crate) fn in_si(si: f64, unit: &str) -> Option<Self> {
         let powers = match unit {
             "" => Powers::default(),

@@ -14,7 +14,7 @@ use crate::answers::{Answers, Statuses};
 use crate::errors::exception;
 use crate::work::{Watch, watched};
 
-/// Words by which variants are told to have ended, in the order of their numbers; behind them are [`REFUSED`] and [`FAILED`].
+/// Words by which variants are reported to have ended, in the order of their numbers; behind them are [`REFUSED`] and [`FAILED`].
 const WORDS: [Status; 8] = [
     Status::Completed,
     Status::CompletedWithGaps,

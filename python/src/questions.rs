@@ -16,7 +16,7 @@ use crate::work::{Watch, at_once, watched};
 /// JSON, words, and the page where there is one.
 type Told = (String, String, Option<String>);
 
-/// What was asked for, and what stopped it from Python.
+/// The request, and what stopped it from Python.
 type Stopped<T> = (T, Option<PyErr>);
 
 fn control(watch: &Watch) -> Control {

@@ -23,7 +23,7 @@ use linkdyn_picture::{
 /// Width of a GIF by default \[pixels\]; pixels per point, so that lines and letters have the size of a screen.
 const WIDTH: u32 = 480;
 const PIXELS_PER_POINT: f64 = 4.0 / 3.0;
-/// Shortest and longest film where none is asked for \[s\].
+/// Shortest and longest film if none is requested \[s\].
 const DURATION: [f64; 2] = [2.0, 12.0];
 /// Time of a film that the tails of points show \[s\].
 const TAIL: f64 = 0.6;
@@ -31,9 +31,9 @@ const TAIL: f64 = 0.6;
 const MOST_FRAMES: f64 = 5000.0;
 /// Frames that the palette is made from.
 const SAMPLES: usize = 8;
-/// Where none is asked for.
+/// Where none is requested.
 const FPS: f64 = 25.0;
-/// Where none is asked for in an animated PNG, and the most that screens show.
+/// Where none is requested in an animated PNG, and the most that screens show.
 const SMOOTH_FPS: f64 = 60.0;
 /// Programs that show GIFs slow frames of less than two hundredths of a second down.
 const MOST_GIF_FPS: f64 = 50.0;
@@ -234,7 +234,7 @@ fn film_width(options: &Options) -> f64 {
     options.width.unwrap_or(f64::from(WIDTH)).round()
 }
 
-/// The curves of a film, where some are asked for.
+/// The curves of a film, if some are requested.
 fn curves_of(options: &Options) -> Result<Option<MovingChart>, Failure> {
     if options.y.is_empty() {
         return Ok(None);

@@ -89,7 +89,7 @@ fn write_all(directory: &Directory, found: &Compared) -> Result<Vec<PathBuf>, Fa
     Ok(written)
 }
 
-/// Complains of models that can't be run though they were asked for, and of runs that stopped; how the worst went.
+/// Complains of models that can't be run though they were requested, and of runs that stopped; how the worst went.
 fn complain_of(found: &Compared) -> Exit {
     let mut worst = Exit::Done;
     if !found.left_out.is_empty() {

@@ -4,10 +4,10 @@ use std::io;
 
 use linkdyn_output::{Status, WriteError};
 
-/// How a command ended; of two ends the greater one is told.
+/// How a command ended; of two ends the greater one is reported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exit {
-    /// It did what was asked for.
+    /// It did what was requested.
     Done,
     /// A check or validation found a fault.
     Fault,

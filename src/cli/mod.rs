@@ -190,7 +190,7 @@ fn advise() {
     }
 }
 
-/// What clap has to say: a fault of the arguments, or the help or version that was asked for.
+/// What clap has to say: a fault of the arguments, or the help or version that was requested.
 fn refuse(error: &clap::Error) -> u8 {
     let tip = misspelt(error).map(|near| format!("\n  tip: did you mean {near:?}?\n"));
     let is_kept = kept(|said| {

@@ -11,7 +11,7 @@ use linkdyn_ask::near::did_you_mean;
 use linkdyn_ask::{ModelFile, Text};
 use linkdyn_model::bundled::{self, NotBundled};
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::{Beside, Loaded};
+use linkdyn_model::{FileAccess, Loaded};
 
 /// The model and what is changed in it.
 #[derive(Debug, Args)]
@@ -52,11 +52,11 @@ impl ModelOptions {
         let label = self.label();
         let stem = self.model.file_stem();
         let stem = stem.map_or_else(|| label.clone(), |stem| stem.to_string_lossy().into_owned());
-        let beside = Beside {
+        let access = FileAccess {
             path: self.model.clone(),
             allowed: self.allowed.clone(),
         };
-        Ok(Text::new(label, stem, bytes, beside))
+        Ok(Text::new(label, stem, bytes, access))
     }
 
     /// Reads the model.
@@ -91,7 +91,7 @@ pub fn refuse(label: &str, why: Error) -> Failure {
 /// # Errors
 /// When there is no such model, or it has faults.
 pub fn model(path: &Path) -> Result<Loaded, Failure> {
-    linkdyn_model::load_beside(&read(path)?, &[], &Beside::of(path))
+    linkdyn_model::load_with_access(&read(path)?, &[], &FileAccess::of(path))
         .map_err(|complaints| bad_input(&path.display().to_string(), complaints))
 }
 

@@ -28,7 +28,7 @@ impl Line {
         Line::start(Instant::now(), label, move || progress.share())
     }
 
-    /// Begins to look at `share` (from 0 to 1, none where nobody can tell) of a command that began at `since`.
+    /// Begins to look at `share` (from 0 to 1, `None` if unknown) of a command that began at `since`.
     pub fn start(
         since: Instant,
         label: &str,

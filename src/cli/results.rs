@@ -198,7 +198,7 @@ fn is_model(path: &Path) -> bool {
     }
 }
 
-/// Writes the one file that was asked for; its directory is made where missing.
+/// Writes the one file requested; its directory is made where missing.
 pub fn write_file(path: &Path, content: &[u8]) -> Result<PathBuf, WriteError> {
     let folder = path
         .parent()

@@ -1,4 +1,4 @@
-//! What goes to which stream: standard output carries what was asked for, standard error complaints.
+//! What goes to which stream: standard output carries what was requested, standard error complaints.
 
 use std::cell::RefCell;
 use std::io::{self, Write};

@@ -174,7 +174,7 @@ fn question(options: &Options, file: &ModelFile) -> Result<Study, Unanswered> {
 
 type Done = Option<(Studied, Vec<PathBuf>)>;
 
-/// What the variants come to, and the files that were written; none where it is interrupted, or is a shard.
+/// What the variants come to, and the files that were written; `None` if it is interrupted, or is a shard.
 fn compute(
     options: &Options,
     variants: &Variants,

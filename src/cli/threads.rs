@@ -11,7 +11,7 @@ use super::streams::remark;
 /// Threads for each processor at most: more of them only take memory from each other.
 const MOST: usize = 4;
 
-/// As many as are asked for, up to what the machine has a use for, which is told; one for each processor where none is said, or 0.
+/// As many as are requested, up to what the machine has a use for, which is reported; one for each processor where none is said, or 0.
 pub fn threads(asked: Option<usize>) -> NonZeroUsize {
     let processors = available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let most = processors.saturating_mul(NonZeroUsize::MIN.saturating_add(MOST - 1));

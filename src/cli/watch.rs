@@ -20,7 +20,7 @@ fn version(path: &Path) -> Version {
     Some((metadata.modified().ok()?, metadata.len()))
 }
 
-/// Runs, and again whenever the file has changed. Faults of the file are told and waited out; an interrupt is the end.
+/// Runs, and again whenever the file has changed. Faults of the file are reported and waited out; an interrupt is the end.
 /// A run returns how it ended, and a word about where to look, if there is one.
 ///
 /// # Errors

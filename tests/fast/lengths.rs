@@ -103,7 +103,7 @@ fn a_driven_length_is_a_cylinder_without_mass() {
     }
 }
 
-/// Held at a length, two pendulums are one with a rod between them: nothing is lost, and the rod's force is the effort.
+/// LinearisedSystem at a length, two pendulums are one with a rod between them: nothing is lost, and the rod's force is the effort.
 #[test]
 fn a_held_length_is_a_rod() {
     let pendulum = |position: [f64; 2], angle: f64| {

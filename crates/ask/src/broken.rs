@@ -1,4 +1,4 @@
-//! Faults of linkdyn itself: a panic as a text, so that what goes on goes on, and what ends is told in one line.
+//! Faults of linkdyn itself: a panic as a text, so that what goes on goes on, and what ends is reported in one line.
 
 use std::any::Any;
 use std::cell::RefCell;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use linkdyn_model::error::Complaints;
-use linkdyn_model::{Beside, Checked, Loaded};
+use linkdyn_model::{Checked, FileAccess, Loaded};
 use linkdyn_output::{Stage, Stopwatch};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -20,7 +20,7 @@ pub struct Text {
     /// As it was read.
     pub bytes: Vec<u8>,
     /// Where the file is, and which files it may name.
-    pub beside: Beside,
+    pub access: FileAccess,
     /// Of the bytes, hexadecimal.
     pub sha256: String,
 }
@@ -60,13 +60,13 @@ pub struct Varying {
 
 impl Text {
     /// The text of a model file that is read and has this name.
-    pub fn new(label: String, stem: String, bytes: Vec<u8>, beside: Beside) -> Arc<Self> {
+    pub fn new(label: String, stem: String, bytes: Vec<u8>, access: FileAccess) -> Arc<Self> {
         Arc::new(Text {
             label,
             stem,
             sha256: format!("{:x}", Sha256::digest(&bytes)),
             bytes,
-            beside,
+            access,
         })
     }
 }
@@ -88,7 +88,7 @@ impl ModelFile {
     ) -> Result<Self, Complaints> {
         let watch = Stopwatch::start();
         let all = [sets.as_slice(), &puts].concat();
-        let loaded = linkdyn_model::load_beside(&text.bytes, &all, &text.beside)?;
+        let loaded = linkdyn_model::load_with_access(&text.bytes, &all, &text.access)?;
         Ok(ModelFile {
             text,
             sets,

@@ -161,7 +161,7 @@ impl Topology {
             .collect()
     }
 
-    /// Number of joints between the body and ground; none where no way leads there.
+    /// Number of joints between the body and ground; `None` if no way leads there.
     pub fn distance(&self, body: usize) -> Option<usize> {
         self.islands[self.island_of[body]]
             .grounded
@@ -277,7 +277,7 @@ impl Topology {
         }
     }
 
-    /// Joints of a shortest way between two bodies over allowed joints, breadth-first; none where they are the same.
+    /// Joints of a shortest way between two bodies over allowed joints, breadth-first; `None` if they are the same.
     fn shortest_way(&self, from: usize, to: usize, allowed: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut back: Vec<Option<(usize, usize)>> = vec![None; self.body_count()];
         let mut queue = VecDeque::from([from]);

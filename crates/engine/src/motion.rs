@@ -146,7 +146,7 @@ impl Law {
         }
     }
 
-    /// Times in (0, end) where f′ changes sign, ascending: f is monotone between them. Each is looked for when it is asked for; of a
+    /// Times in (0, end) where f′ changes sign, ascending: f is monotone between them. Each is looked for when it is requested; of a
     /// wave there are as many as show all that it does.
     pub fn turning_times(&self, end: f64) -> Box<dyn Iterator<Item = f64> + '_> {
         match self {

@@ -16,7 +16,7 @@ const EVEN: f64 = 1e-12;
 /// Most unknowns of which all choices are tried before it is said that there is no solution.
 const FEW: usize = 12;
 
-/// Which x are not zero, and x; none where there is no solution.
+/// Which x are not zero, and x; `None` if there is no solution.
 pub fn complementary(mass: &DMatrix<f64>, free: &[f64]) -> Option<(Vec<bool>, Vec<f64>)> {
     let size = free.len();
     let mut pressing = vec![false; size];

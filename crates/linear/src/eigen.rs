@@ -54,7 +54,7 @@ pub fn symmetric(a: &[f64], f: usize) -> (Vec<f64>, Vec<Vec<f64>>) {
     )
 }
 
-/// x with A x = b; none where A is singular.
+/// x with A x = b; `None` if A is singular.
 pub fn solve(a: &[f64], b: &[f64]) -> Option<Vec<f64>> {
     let mut lu = SmallLu::new(b.len());
     lu.values().copy_from_slice(a);

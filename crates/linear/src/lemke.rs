@@ -20,7 +20,7 @@ const MOST: usize = 20;
 /// What d grows by from one unknown to the next, in turn.
 const COVERS: [f64; 3] = [0.0, 0.3, -0.1];
 
-/// z; none where the algorithm ends on a ray, as where there is no solution.
+/// z; `None` if the algorithm ends on a ray, as where there is no solution.
 pub fn lemke(matrix: &DMatrix<f64>, free: &[f64]) -> Option<Vec<f64>> {
     let size = free.len();
     if free.iter().all(|q| *q >= 0.0) {
@@ -110,7 +110,7 @@ impl Tableau {
         std::mem::replace(&mut self.basis[row], entering)
     }
 
-    /// The row whose unknown is the first to become zero as `entering` grows; none where none does.
+    /// The row whose unknown is the first to become zero as `entering` grows; `None` if none does.
     fn blocking(&self, entering: usize) -> Option<usize> {
         let (size, right) = (self.size(), 2 * self.size() + 1);
         let column = self.cells.column(entering);

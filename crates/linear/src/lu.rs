@@ -84,7 +84,7 @@ pub struct SparseLu {
     vector: Vec<f64>,
     /// Its right-hand side when refining, none until then.
     residual: Vec<f64>,
-    /// Vectors being solved for together, interleaved; none until several are asked for.
+    /// Vectors being solved for together, interleaved; none until several are requested.
     vectors: Vec<f64>,
     search: Search,
 }

@@ -176,7 +176,7 @@ pub fn only_direction(rows: &SparseRows, tolerance: f64) -> Result<Vec<f64>, usi
 }
 
 /// A direction that none of the rows forbids, largest component 1, as general as such directions are: what stands still in
-/// it stands still in all of them. None where the rows determine everything.
+/// it stands still in all of them. `None` if the rows determine everything.
 pub fn free_direction(rows: &SparseRows, tolerance: f64) -> Option<Vec<f64>> {
     let (elimination, _) = decide(rows, tolerance);
     let x = elimination.null_vector();

@@ -44,7 +44,7 @@ pub enum Pins {
     Rim,
     /// Anywhere in the clearance.
     Disc,
-    /// In the middle: clearances are of no account.
+    /// In the middle: clearances are ignored.
     None,
 }
 

@@ -130,7 +130,7 @@ pub(crate) fn course(segments: &[CamSegment]) -> (f64, Vec<f64>) {
     (span, values.collect())
 }
 
-/// Angles of points about the origin \[rad\], increasing, in their order or the other way round; none where they do not go
+/// Angles of points about the origin \[rad\], increasing, in their order or the other way round; `None` if they do not go
 /// once around it.
 pub(crate) fn around(points: &[[f64; 2]]) -> Option<Vec<f64>> {
     let direction = |point: &[f64; 2]| point[1].atan2(point[0]);

@@ -59,7 +59,7 @@ impl Clearance {
         Some(range.unwrap_or([radius, radius]))
     }
 
-    /// The limits of the fit, as read; none where there is no fit or it can't be read.
+    /// The limits of the fit, as read; `None` if there is no fit or it can't be read.
     pub fn read_fit(&self) -> Option<Fit> {
         Fit::parse(self.fit.as_deref()?).ok()
     }

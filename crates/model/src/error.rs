@@ -1,4 +1,4 @@
-//! What is told to whoever must act: faults of the input, each with its place.
+//! Faults of the input, each with its place.
 
 use std::error::Error;
 use std::fmt;

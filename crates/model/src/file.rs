@@ -5,8 +5,8 @@
 
 use serde_json::Number;
 
-use super::beside::{Beside, Refusal, plainly};
 use super::error::Complaint;
+use super::file_access::{FileAccess, Refusal, plainly};
 use super::node::{Kind, Member, Node, Origin, excerpt, join};
 use super::source::Source;
 use super::table::{self, MOST_POINTS};
@@ -22,12 +22,12 @@ struct FileFault {
 }
 
 /// Puts the points of all files that tables name into the model; what is wrong with files.
-pub(super) fn put_in(source: &mut Source, beside: &Beside) -> Vec<Complaint> {
+pub(super) fn put_in(source: &mut Source, access: &FileAccess) -> Vec<Complaint> {
     let mut faults = Vec::new();
     if let Kind::Object(members) = &mut source.root.kind {
         for map in MAPS {
             if let Some(member) = members.get_mut(map) {
-                visit(&mut member.node, map, beside, &mut faults);
+                visit(&mut member.node, map, access, &mut faults);
             }
         }
     }
@@ -37,7 +37,7 @@ pub(super) fn put_in(source: &mut Source, beside: &Beside) -> Vec<Complaint> {
         .collect()
 }
 
-fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<FileFault>) {
+fn visit(node: &mut Node, path: &str, access: &FileAccess, faults: &mut Vec<FileFault>) {
     match &mut node.kind {
         Kind::Array(items) => {
             // points are the longest lists, and have no tables inside
@@ -45,7 +45,7 @@ fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<FileFaul
                 return;
             }
             for (index, item) in items.iter_mut().enumerate() {
-                visit(item, &format!("{path}[{index}]"), beside, faults);
+                visit(item, &format!("{path}[{index}]"), access, faults);
             }
         }
         Kind::Object(members) => {
@@ -53,9 +53,9 @@ fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<FileFaul
                 let name = member.node.as_str()?.to_owned();
                 Some((name, member.node.origin))
             });
-            // what has both is told of with the other words
+            // a file with both is reported where its other keys are read
             if let Some((name, origin)) = named.filter(|_| !members.contains_key("points")) {
-                if let Err((message, hint)) = replace(node, &name, origin, beside) {
+                if let Err((message, hint)) = replace(node, &name, origin, access) {
                     let complaint = Complaint::new(join(path, "file"), message);
                     faults.push(FileFault {
                         origin,
@@ -66,7 +66,7 @@ fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<FileFaul
                 return;
             }
             for (key, member) in members.iter_mut() {
-                visit(&mut member.node, &join(path, key), beside, faults);
+                visit(&mut member.node, &join(path, key), access, faults);
             }
         }
         Kind::Null | Kind::Bool(_) | Kind::Number(_) | Kind::String(_) => {}
@@ -74,13 +74,18 @@ fn visit(node: &mut Node, path: &str, beside: &Beside, faults: &mut Vec<FileFaul
 }
 
 /// Puts the points of a file in the place of its name.
-fn replace(node: &mut Node, name: &str, origin: Origin, beside: &Beside) -> Result<(), Refusal> {
+fn replace(
+    node: &mut Node,
+    name: &str,
+    origin: Origin,
+    access: &FileAccess,
+) -> Result<(), Refusal> {
     let Kind::Object(members) = &mut node.kind else {
         return Ok(());
     };
     let columns = pair_of(members.get("columns").map(|member| &member.node));
     let written = pair_of(members.get("units").map(|member| &member.node));
-    let text = beside.read(name)?;
+    let text = access.read(name)?;
     let table = FileTable::of(&text, columns)?;
     let units = match (written, table.units) {
         (Some(units), _) => units.map(Some),

@@ -50,7 +50,7 @@ pub struct Force {
 /// The ends of the stroke of a spring or an actuator: nothing where it has none.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Stroke {
-    /// Least and greatest length \[m\]; none where the stroke has no end.
+    /// Least and greatest length \[m\]; `None` if the stroke has no end.
     pub limits: Option<[Option<f64>; 2]>,
     /// Coefficient of restitution of rigid stops, 0 to 1 [–]; left out: 0.
     pub restitution: Option<f64>,
@@ -134,7 +134,7 @@ pub enum ForceKind {
 }
 
 impl ForceKind {
-    /// Its values that may vary, each with its key in a file and the dimension of a formula there; none where there can be none.
+    /// Its values that may vary, each with its key in a file and the dimension of a formula there; `None` if there can be none.
     pub(crate) fn values(&self) -> Vec<(String, &Value, Option<Dimension>)> {
         let one = |key: &str, value, of| vec![(key.to_owned(), value, of)];
         match self {

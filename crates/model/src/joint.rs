@@ -64,7 +64,7 @@ pub struct Joint {
 /// The ends of a joint's way: nothing where it has none.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 pub struct Stops {
-    /// Least and greatest angle θ₂ − θ₁ \[rad\] of a revolute joint, or slide \[m\] along the axis of the others; none where the
+    /// Least and greatest angle θ₂ − θ₁ \[rad\] of a revolute joint, or slide \[m\] along the axis of the others; `None` if the
     /// way has no end.
     pub limits: Option<[Option<f64>; 2]>,
     /// Coefficient of restitution of rigid stops, 0 to 1 [–]; left out: 0.

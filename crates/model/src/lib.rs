@@ -5,7 +5,6 @@
 
 pub mod accuracy;
 pub mod analysis;
-mod beside;
 pub mod body;
 pub mod bundled;
 pub mod bushing;
@@ -15,6 +14,7 @@ pub mod display;
 pub mod driver;
 pub mod error;
 pub mod event;
+mod file_access;
 pub mod fit;
 pub mod force;
 pub mod formula;
@@ -84,14 +84,14 @@ pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
 
 pub use self::{
-    beside::Beside,
     bushing::{Bushing, PerAxis},
     cam::{Cam, CamSegment, Follower, Profile},
     expression::Given,
+    file_access::FileAccess,
     force::Stroke,
     formula::Formula,
     joint::{Latch, OneWay, Stops, Strands, Timed},
-    load::{load_beside, read_file},
+    load::{load_with_access, read_file},
     motion::{Interpolation, Paced, Rise, RiseLaw, Segment},
     state::State,
     substitution::{Substituted, Substitution},

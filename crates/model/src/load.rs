@@ -5,9 +5,9 @@ use std::io;
 use std::io::Read;
 use std::path::Path;
 
-use super::beside::Beside;
 use super::expression::Parameter;
 use super::file;
+use super::file_access::FileAccess;
 use super::gate::{self, Checked, Holes};
 use super::json;
 use super::node::{self, Kind, Node};
@@ -46,10 +46,10 @@ pub struct Loaded {
 /// All faults of the file, in the order of the lines.
 pub fn load_file(path: &Path, sets: &[String]) -> Result<Loaded, Complaints> {
     let bytes = read(path).map_err(|complaint| vec![complaint])?;
-    load_beside(&bytes, sets, &Beside::of(path))
+    load_with_access(&bytes, sets, &FileAccess::of(path))
 }
 
-/// The bytes of a model's file; one more than [`load_beside`] takes where it has no end.
+/// The bytes of a model's file; one more than [`load_with_access`] takes where it has no end.
 ///
 /// # Errors
 /// Those of the system.
@@ -104,14 +104,18 @@ fn too_large(length: u64) -> Complaint {
 /// assert_eq!(loaded.model.bodies["bar"].points["A"], [0.005, 0.0]);
 /// ```
 pub fn load(text: &[u8], sets: &[String]) -> Result<Loaded, Complaints> {
-    load_beside(text, sets, &Beside::default())
+    load_with_access(text, sets, &FileAccess::default())
 }
 
 /// The same of a text with files beside it.
 ///
 /// # Errors
 /// As [`load`].
-pub fn load_beside(text: &[u8], sets: &[String], beside: &Beside) -> Result<Loaded, Complaints> {
+pub fn load_with_access(
+    text: &[u8],
+    sets: &[String],
+    access: &FileAccess,
+) -> Result<Loaded, Complaints> {
     let text = decode(text).map_err(|complaint| vec![complaint])?;
     let mut source = Source::new(text, sets);
     let mut complaints = Vec::new();
@@ -144,7 +148,7 @@ pub fn load_beside(text: &[u8], sets: &[String], beside: &Beside) -> Result<Load
 
     // what --set says, then all of it against the schema; of another format nothing else can be said
     set::apply(&mut source, &mut complaints);
-    let unread = file::put_in(&mut source, beside);
+    let unread = file::put_in(&mut source, access);
     if !unread.is_empty() {
         complaints.extend(unread);
         return Err(sorted(complaints, uncounted).into());
@@ -225,7 +229,7 @@ pub(super) fn typed(
     (passed, warnings)
 }
 
-/// Warnings as they are told, as many as anybody reads.
+/// Warnings as texts, as many as anybody reads.
 fn told(said: impl IntoIterator<Item = Complaint>, source: &Source) -> Vec<String> {
     let said = said.into_iter().take(MOST_COMPLAINTS);
     said.map(|warning| source.place(warning).to_string())

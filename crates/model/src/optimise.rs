@@ -96,7 +96,7 @@ pub struct Curve {
     pub through: Vec<[f64; 2]>,
     /// Name of the driver; may be left out where there is only one.
     pub driver: Option<String>,
-    /// Values of the driver at these points \[rad or m\]; none where it does not matter when.
+    /// Values of the driver at these points \[rad or m\]; `None` if it does not matter when.
     pub at: Option<Vec<f64>>,
 }
 

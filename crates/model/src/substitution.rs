@@ -117,7 +117,7 @@ impl Component {
     }
 }
 
-/// Where the number at a path of the file stands in the tree of its part; none where that leads nowhere.
+/// Where the number at a path of the file stands in the tree of its part; `None` if that leads nowhere.
 fn steps_to(mut tree: &Tree, path: &[&str]) -> Option<Vec<String>> {
     let mut steps = Vec::new();
     let mut enter = |tree: &mut &Tree, step: &str| {
@@ -195,7 +195,7 @@ pub struct Substituted {
 const BESIDE: [f64; 2] = [7.3e-4, -1.9e-3];
 
 impl Substitution {
-    /// Of a model, its parameters, and the source that both were read from; none where reading again is the only way.
+    /// Of a model, its parameters, and the source that both were read from; `None` if reading again is the only way.
     pub fn new(
         source: &Source,
         nominal: &Checked,
@@ -326,7 +326,7 @@ impl Substitution {
         place.room.values.get(constant.parameter).copied()
     }
 
-    /// The model with values, or deviations, in the order of the names; none where only reading can tell what is wrong
+    /// The model with values, or deviations, in the order of the names; `None` if only reading can tell what is wrong
     /// with them.
     pub fn put<'p>(&self, given: &[f64], place: &'p mut Substituted) -> Option<&'p Checked> {
         let Substituted { model, trees, room } = place;

@@ -35,7 +35,7 @@ impl Table {
         Ok([unit(x)?.powers, unit(y)?.powers])
     }
 
-    /// After what it repeats; none where it does not.
+    /// After what it repeats; `None` if it does not.
     pub fn repeats(&self) -> Option<f64> {
         let (first, last) = (self.points.first()?, self.points.last()?);
         let whole = (self.interpolation == Interpolation::Periodic).then_some(last[0] - first[0]);

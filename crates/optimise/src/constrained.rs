@@ -62,7 +62,7 @@ pub enum Ended {
 pub struct Optimum {
     /// The variables.
     pub x: Vec<f64>,
-    /// Objective, then constraints; none where there never were any.
+    /// Objective, then constraints; `None` if there never were any.
     pub values: Vec<f64>,
     /// By constraint: ∂f/∂(right side), with the sign that makes ∇f + Σ multiplier ∇c vanish.
     pub multipliers: Vec<f64>,

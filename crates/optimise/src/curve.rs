@@ -31,7 +31,7 @@ const ROUND_OFF: f64 = 1e-9;
 /// So many of the nearest pieces are looked at.
 const PIECES: usize = 3;
 
-/// The residual of each point; none where there are fewer than two nodes.
+/// The residual of each point; `None` if there are fewer than two nodes.
 pub fn residuals(nodes: &[Node], points: &[[f64; 2]]) -> Option<Vec<f64>> {
     if nodes.len() < 2 {
         return None;
@@ -44,7 +44,7 @@ pub fn residuals(nodes: &[Node], points: &[[f64; 2]]) -> Option<Vec<f64>> {
     )
 }
 
-/// The place of the curve at a parameter between its ends; none where there are fewer than two nodes.
+/// The place of the curve at a parameter between its ends; `None` if there are fewer than two nodes.
 pub fn place(nodes: &[Node], s: f64) -> Option<[f64; 2]> {
     let after = nodes.partition_point(|node| node.s <= s);
     let k = after.clamp(1, nodes.len().checked_sub(1)?.max(1));

@@ -59,7 +59,7 @@ pub enum Ended {
 pub struct Fitted {
     /// The variables.
     pub x: Vec<f64>,
-    /// The residuals there; none where it never had any.
+    /// The residuals there; `None` if it never had any.
     pub residuals: Vec<f64>,
     /// How it ended.
     pub ended: Ended,
@@ -246,7 +246,7 @@ impl State {
         0.5 * squares.sum::<f64>()
     }
 
-    /// The damped step within the bounds; none where nothing is free.
+    /// The damped step within the bounds; `None` if nothing is free.
     fn step(&self, bounds: &Bounds, damping: f64) -> Option<Vec<f64>> {
         let columns = self.x.len();
         let gradient = self.gradient();

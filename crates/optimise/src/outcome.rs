@@ -33,7 +33,7 @@ impl Outcome {
 pub trait Evaluate {
     /// What it gives at a point.
     fn values(&mut self, x: &[f64]) -> Outcome;
-    /// Its derivatives at a point where it has values: a row for each value, by rows, NaN where one is not known. None where
+    /// Its derivatives at a point where it has values: a row for each value, by rows, NaN where one is not known. `None` if
     /// none of them is.
     fn slopes(&mut self, _x: &[f64]) -> Option<Vec<f64>> {
         None

@@ -130,7 +130,7 @@ impl Rows {
 }
 
 impl Quadratic {
-    /// Solves it; none where the solver fails.
+    /// Solves it; `None` if the solver fails.
     pub fn solve(&self) -> Option<Step> {
         let n = self.gradient.len();
         let (rows, place, first) = self.rows();

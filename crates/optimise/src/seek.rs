@@ -145,7 +145,7 @@ fn scan(settings: &Seek, number: usize) -> f64 {
     lower + (upper - lower) * part.sum::<f64>()
 }
 
-/// The next point outside of what is known; none where that is all there is.
+/// The next point outside of what is known; `None` if that is all there is.
 fn propose(
     known: &[Point],
     [lower, upper]: [f64; 2],

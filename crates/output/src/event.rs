@@ -147,7 +147,7 @@ impl Event {
 pub struct Episode {
     /// Start \[s\].
     pub start: f64,
-    /// End \[s\]; none where the run ends before.
+    /// End \[s\]; `None` if the run ends before.
     pub end: Option<f64>,
     /// Normal speed towards the bearing's surface [m/s].
     pub approach_speed: f64,

@@ -124,7 +124,7 @@ pub struct Statistics {
 pub struct Quality {
     /// Largest constraint residual over all outputs, divided by the mechanism's size [–].
     pub constraint_residual: f64,
-    /// Largest power imbalance over all outputs, divided by the largest power that flows [–]; none where no forces are computed.
+    /// Largest power imbalance over all outputs, divided by the largest power that flows [–]; `None` if no forces are computed.
     pub power_imbalance: Option<f64>,
     /// Largest change of kinetic + potential energy over a conservative motion, divided by the largest kinetic energy [–].
     pub energy_drift: Option<f64>,

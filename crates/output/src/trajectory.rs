@@ -126,7 +126,7 @@ impl Trajectory {
         Some(self.column(self.id(name)?).iter().collect())
     }
 
-    /// A table of the columns that `patterns` name (see [`Selection::new`]), none where that is all of them; and a warning per
+    /// A table of the columns that `patterns` name (see [`Selection::new`]), `None` if that is all of them; and a warning per
     /// pattern that matches nothing.
     pub fn select(&self, patterns: &[String]) -> (Option<Trajectory>, Vec<String>) {
         self.select_beside(patterns, &[])

@@ -1,7 +1,7 @@
 //! The answer: by output and pose how far it deviates, and what each source does to it.
 
 use super::ascent::Farthest;
-use super::displaced::Stand;
+use super::displaced::NominalPose;
 use super::levels::Levels;
 use super::statistics::Capability;
 use linkdyn_engine::element::{BodyColumns, Measure, Pose};
@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// What tolerances and clearances do to the outputs.
 #[derive(Debug, Clone)]
 pub struct Accuracy {
-    /// What was asked for.
+    /// The request.
     pub levels: Levels,
     /// What deviates: joints, points, drivers, parameters.
     pub sources: Vec<String>,
@@ -46,9 +46,9 @@ pub struct PoseAccuracy {
     pub driver_units: Arc<[&'static str]>,
     /// The output; NaN of a force that does not exist there.
     pub nominal: f64,
-    /// To first order; none where it does not exist.
+    /// To first order; `None` if it does not exist.
     pub first: Option<[f64; 2]>,
-    /// Worst found; none where none was, or was asked for.
+    /// Worst found; `None` if none was found or requested.
     pub found: [Option<f64>; 2],
     /// What all sources could still gain there, to first order: nothing where the output is stationary.
     pub lacks: [Option<f64>; 2],
@@ -59,7 +59,7 @@ pub struct PoseAccuracy {
     /// Deviations to the lower and the upper side, the least first, each with the share of all clearances and tolerances that
     /// it needs; empty where a bound is certified, nothing was found, or the deviation goes with the share.
     pub needed: [Vec<[f64; 2]>; 2],
-    /// A bound that nothing exceeds; none where none can be certified, or none was asked for.
+    /// A bound that nothing exceeds; `None` if none can be certified, or none was requested.
     pub certified: Option<[f64; 2]>,
     /// Mean and standard deviation.
     pub moments: Option<[f64; 2]>,
@@ -97,7 +97,7 @@ impl OutputAccuracy {
 
 impl PoseAccuracy {
     /// Of a pose, with nothing known yet but the nominal value.
-    pub(super) fn at(system: &System, stand: &Stand, nominal: f64) -> Self {
+    pub(super) fn at(system: &System, stand: &NominalPose, nominal: f64) -> Self {
         let unit = |driver: &DriverData| match driver.measure {
             Measure::Angle => "rad",
             Measure::Length => "m",

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Steps of all dimensions for deviations of the parameters, in the order of their plays; none where the model can't be had
+/// Steps of all dimensions for deviations of the parameters, in the order of their plays; `None` if the model can't be had
 /// with them.
 pub(super) type Stepping<'c> = dyn Fn(&[f64]) -> Option<Vec<f64>> + Sync + 'c;
 

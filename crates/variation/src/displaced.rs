@@ -19,7 +19,7 @@ use linkdyn_linear::math::{Vec2, perp};
 
 /// A pose that is asked about.
 #[derive(Debug, Clone)]
-pub(super) struct Stand {
+pub(super) struct NominalPose {
     /// Nominal coordinates (n).
     pub q: Vec<f64>,
     /// Values of the drivers.
@@ -33,7 +33,7 @@ pub(super) struct Stand {
 /// An output at a pose.
 #[derive(Clone, Copy)]
 pub(super) struct Asked<'a> {
-    pub stand: &'a Stand,
+    pub stand: &'a NominalPose,
     pub output: &'a Output,
 }
 
@@ -60,7 +60,7 @@ pub(super) struct Mechanism<'m> {
     pub dimensions: &'m Dimensions,
     pub sources: &'m [Source],
     moved: Vec<Moved>,
-    /// Dimensions that parameters step, but for those of points; and ∂y by all, as last asked for.
+    /// Dimensions that parameters step, but for those of points; and ∂y by all, as last requested.
     stepped: Vec<usize>,
     slopes: Vec<f64>,
     /// Deviations of the sources, and the steps of the dimensions that they make.
@@ -146,7 +146,7 @@ impl<'m> Mechanism<'m> {
     }
 
     /// The position last taken.
-    pub fn here<'a>(&'a self, stand: &'a Stand) -> Here<'a> {
+    pub fn here<'a>(&'a self, stand: &'a NominalPose) -> Here<'a> {
         Here {
             system: self.driven.system,
             evaluation: &self.driven.evaluation,
@@ -157,7 +157,7 @@ impl<'m> Mechanism<'m> {
     }
 
     /// Takes a position: φ without gaps, and J.
-    pub fn take(&mut self, q: &[f64], stand: &Stand) {
+    pub fn take(&mut self, q: &[f64], stand: &NominalPose) {
         let system = self.driven.system;
         self.driven.evaluation.set_position(q);
         self.driven.evaluation.eval_phi(system, &stand.inputs);
@@ -165,7 +165,7 @@ impl<'m> Mechanism<'m> {
     }
 
     /// Takes the nominal position of a pose: φ, and J with its factors. Whether J has an inverse.
-    pub fn stand(&mut self, stand: &Stand) -> bool {
+    pub fn stand(&mut self, stand: &NominalPose) -> bool {
         self.driven.evaluation.set_position(&stand.q);
         let system = self.driven.system;
         self.driven.evaluation.eval_phi(system, &stand.inputs);
@@ -174,12 +174,12 @@ impl<'m> Mechanism<'m> {
     }
 
     /// Takes a position, and factors J there.
-    pub fn factor(&mut self, q: &[f64], stand: &Stand) -> Option<()> {
+    pub fn factor(&mut self, q: &[f64], stand: &NominalPose) -> Option<()> {
         self.take(q, stand);
         self.driven.factor(&stand.inputs).ok()
     }
 
-    /// λ = J⁻ᵀ ∂y at a pose that was taken, and whose factors are at hand; none where they say nothing.
+    /// λ = J⁻ᵀ ∂y at a pose that was taken, and whose factors are at hand; `None` if they say nothing.
     pub fn load(&mut self, of: Asked) -> Option<Load> {
         self.gradient(of);
         let mut lambda = vec![0.0; self.driven.system.m()];
@@ -220,7 +220,7 @@ impl<'m> Mechanism<'m> {
     }
 
     /// The same of an output whose own points pull with `own`.
-    pub fn influences_of(&mut self, stand: &Stand, own: &Pulls, load: &Load, g: &mut [Pair]) {
+    pub fn influences_of(&mut self, stand: &NominalPose, own: &Pulls, load: &Load, g: &mut [Pair]) {
         let mut slopes = std::mem::take(&mut self.slopes);
         let here = self.here(stand);
         for moved in &self.moved {
@@ -284,7 +284,7 @@ impl<'m> Mechanism<'m> {
     }
 
     /// Puts the points where steps and zones put them, at the position last taken.
-    pub fn place(&mut self, stand: &Stand) {
+    pub fn place(&mut self, stand: &NominalPose) {
         let poses = self.driven.evaluation.kinematics(&stand.inputs).poses;
         for moved in &mut self.moved {
             let pose = &poses[moved.body];
@@ -302,7 +302,7 @@ impl<'m> Mechanism<'m> {
     }
 
     /// Sets the gaps of the rows, at the position last taken, for points where they were put, steps and e.
-    pub fn gap(&mut self, stand: &Stand) {
+    pub fn gap(&mut self, stand: &NominalPose) {
         let mut rows = std::mem::take(&mut self.rows);
         rows.fill(0.0);
         let here = self.here(stand);

@@ -16,7 +16,7 @@
 //! (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, 1990, ch. 5.)
 
 use super::changes::Changes;
-use super::displaced::{Asked, Mechanism, Stand};
+use super::displaced::{Asked, Mechanism, NominalPose};
 use super::output::{Load, Output};
 use super::source::Pair;
 use linkdyn_engine::element::Kinematics;
@@ -68,8 +68,8 @@ impl Enclosure {
     }
 
     /// Where the mechanism stays, or would stay with what is known of how far dimensions are off, about a pose that was taken, and
-    /// whose factors are at hand; none where no bound contracts.
-    pub fn region(&mut self, mechanism: &mut Mechanism, stand: &Stand) -> Option<Region> {
+    /// whose factors are at hand; `None` if no bound contracts.
+    pub fn region(&mut self, mechanism: &mut Mechanism, stand: &NominalPose) -> Option<Region> {
         if self.changes.are_unbounded {
             return None;
         }
@@ -80,7 +80,7 @@ impl Enclosure {
     }
 
     /// Takes C and what follows from it to first order.
-    fn take(&mut self, mechanism: &mut Mechanism, stand: &Stand) {
+    fn take(&mut self, mechanism: &mut Mechanism, stand: &NominalPose) {
         let system = mechanism.driven.system;
         let (n, m) = (system.n(), system.m());
         let phi = &mechanism.driven.evaluation.phi;
@@ -186,7 +186,7 @@ impl Enclosure {
     }
 
     /// The bound of the output's deviations to both sides, least and greatest, with its load and reach to first order, within a
-    /// region of the pose; none where it is not finite. The pose was taken.
+    /// region of the pose; `None` if it is not finite. The pose was taken.
     pub fn bound(
         &self,
         mechanism: &mut Mechanism,

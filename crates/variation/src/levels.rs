@@ -2,7 +2,7 @@
 
 use super::answer::{Contribution, PoseAccuracy};
 use super::ascent::{Ascent, Farthest};
-use super::displaced::{Asked, Mechanism, Stand};
+use super::displaced::{Asked, Mechanism, NominalPose};
 use super::enclosure::{Enclosure, Region};
 use super::limits::SAME;
 use super::output::Load;
@@ -46,8 +46,8 @@ impl<'a> PoseAnalysis<'a> {
         }
     }
 
-    /// The levels that are asked for, at one pose of the outputs with these numbers.
-    pub fn answer(&mut self, outputs: &[usize], stand: &Stand) -> Vec<PoseAccuracy> {
+    /// The levels requested, at one pose of the outputs with these numbers.
+    pub fn answer(&mut self, outputs: &[usize], stand: &NominalPose) -> Vec<PoseAccuracy> {
         let question = self.mechanism.question;
         let system = self.mechanism.driven.system;
         let is_regular = self.mechanism.stand(stand) && stand.self_stress.is_none();
@@ -137,7 +137,7 @@ impl<'a> PoseAnalysis<'a> {
         }
     }
 
-    /// Influences, contributions and spread of an output at a pose that was taken; none where it has no first order.
+    /// Influences, contributions and spread of an output at a pose that was taken; `None` if it has no first order.
     fn first_order(&mut self, of: Asked, pose: &mut PoseAccuracy) -> Option<Nominal> {
         let load = self.mechanism.load(of)?;
         let mut g = vec![[0.0; 2]; self.mechanism.sources.len()];
@@ -164,7 +164,7 @@ impl<'a> PoseAnalysis<'a> {
     /// Where the loads of the motion press the journals, and what limits say of the spread, which may follow from it.
     fn press(
         &mut self,
-        stand: &Stand,
+        stand: &NominalPose,
         outputs: &[usize],
         nominal: &[Option<Nominal>],
         poses: &mut [PoseAccuracy],
@@ -186,7 +186,7 @@ impl<'a> PoseAnalysis<'a> {
     }
 
     /// Forces of the motion, in the sample; whether they are known: not without masses or friction's history.
-    fn load_of_motion(&mut self, stand: &Stand) -> bool {
+    fn load_of_motion(&mut self, stand: &NominalPose) -> bool {
         let mechanism = &mut self.mechanism;
         let is_known = mechanism.driven.system.masses_known;
         if !is_known

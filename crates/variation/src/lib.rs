@@ -47,7 +47,7 @@ pub use statistics::{Capability, Pins, Scatter};
 pub use words::{Deviating, Parameters, Refusal, Scope, accuracy};
 
 use corners::Corners;
-use displaced::{Asked, Mechanism, Stand};
+use displaced::{Asked, Mechanism, NominalPose};
 use geometry::Dimensions;
 use levels::PoseAnalysis;
 use linkdyn_engine::analysis::Control;
@@ -67,7 +67,7 @@ struct Question<'q> {
     pins: Pins,
     levels: Levels,
     instants: Vec<OutputInstant>,
-    /// Bounds of what the steps of parameters leave out (dimensions); none where they are not known.
+    /// Bounds of what the steps of parameters leave out (dimensions); `None` if they are not known.
     slack: Option<Vec<f64>>,
     /// Steps of the dimensions for deviations of the parameters.
     corners: &'q Corners<'q>,
@@ -75,7 +75,7 @@ struct Question<'q> {
 
 impl Question<'_> {
     /// An output at a pose.
-    fn asked<'a>(&'a self, output: usize, stand: &'a Stand) -> Asked<'a> {
+    fn asked<'a>(&'a self, output: usize, stand: &'a NominalPose) -> Asked<'a> {
         let output = &self.outputs[output].output;
         Asked { stand, output }
     }
@@ -131,9 +131,10 @@ fn run(
         stand.map_err(|by| unreached.push(unmet(by))).ok()
     };
     let wanted = question.outputs.iter();
-    let stands: Vec<Option<Stand>> = wanted.map(|own| stand_of(&own.name, own.at)).collect();
+    let stands: Vec<Option<NominalPose>> = wanted.map(|own| stand_of(&own.name, own.at)).collect();
     let wanted = question.forces.outputs.iter();
-    let held: Vec<Option<Stand>> = wanted.map(|(_, own)| stand_of(&own.name, own.at)).collect();
+    let held: Vec<Option<NominalPose>> =
+        wanted.map(|(_, own)| stand_of(&own.name, own.at)).collect();
     if !unreached.is_empty() {
         return Err(Halt::Unreached(unreached));
     }

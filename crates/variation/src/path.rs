@@ -225,7 +225,7 @@ impl<'a, 'm> Path<'a, 'm> {
         })
     }
 
-    /// Deviations of the output, each with the share of all deviations that reaches it first; none where the output goes with the
+    /// Deviations of the output, each with the share of all deviations that reaches it first; `None` if the output goes with the
     /// share.
     fn needed(&mut self, trail: &[Node]) -> Vec<[f64; 2]> {
         let [_, first, .., reached] = trail else {

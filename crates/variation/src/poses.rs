@@ -1,6 +1,6 @@
 //! Positions of the poses that are asked about, on the branch that the drawing is on.
 
-use super::displaced::Stand;
+use super::displaced::NominalPose;
 use linkdyn_engine::analysis::assembly::{assemble, check_driven};
 use linkdyn_engine::analysis::driven::{passages, path, range};
 use linkdyn_engine::analysis::instants::OutputInstant;
@@ -34,7 +34,7 @@ pub(super) struct Unreached {
 pub(super) struct Unmet {
     /// Its name.
     pub output: String,
-    /// The value that was asked for [rad or m].
+    /// The value requested [rad or m].
     pub value: f64,
     pub by: Unreached,
 }
@@ -149,7 +149,7 @@ impl<'s> Way<'s> {
         ]))
     }
 
-    /// Poses on the way, wherever others are asked for.
+    /// Poses on the way, wherever others are requested.
     pub fn poses(&self) -> Poses<'_> {
         Poses {
             way: self,
@@ -190,7 +190,7 @@ impl Poses<'_> {
     ///
     /// # Errors
     /// How far the driver goes, where it has the value nowhere.
-    pub fn stand_at(&mut self, driver: usize, value: f64) -> Result<Stand, Unreached> {
+    pub fn stand_at(&mut self, driver: usize, value: f64) -> Result<NominalPose, Unreached> {
         let law = &self.way.system.drivers[driver].law;
         let time = passages(law, value, self.way.end).first().copied();
         let instant = time.map(|time| OutputInstant {
@@ -202,8 +202,8 @@ impl Poses<'_> {
             .ok_or_else(|| self.way.unreached(driver))
     }
 
-    /// The pose at an instant; `held` where the value of a driver says which is meant. None where the mechanism has none.
-    pub fn stand(&mut self, instant: &OutputInstant, held: Option<usize>) -> Option<Stand> {
+    /// The pose at an instant; `held` where the value of a driver says which is meant. `None` if the mechanism has none.
+    pub fn stand(&mut self, instant: &OutputInstant, held: Option<usize>) -> Option<NominalPose> {
         let system = self.way.system;
         let n = system.n();
         let mut inputs = Inputs::at_time(system, instant.time);
@@ -233,7 +233,7 @@ impl Poses<'_> {
                 (!near).then(|| self.way.path.self_stress(index).to_vec())
             }
         };
-        Some(Stand {
+        Some(NominalPose {
             q,
             inputs,
             held,

@@ -150,7 +150,7 @@ impl Room {
         up - down
     }
 
-    /// The e with the greatest g·e; none where nothing has an influence.
+    /// The e with the greatest g·e; `None` if nothing has an influence.
     pub fn extreme(&self, g: Pair) -> Option<Pair> {
         if g == [0.0; 2] {
             return None;

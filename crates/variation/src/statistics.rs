@@ -90,7 +90,7 @@ pub struct Capability {
     pub cpk: f64,
 }
 
-/// Of a normal deviation of mean `mean` and standard deviation `sigma` in limits; none where nothing scatters.
+/// Of a normal deviation of mean `mean` and standard deviation `sigma` in limits; `None` if nothing scatters.
 pub(super) fn capability([low, high]: [f64; 2], mean: f64, sigma: f64) -> Option<Capability> {
     if sigma <= 0.0 || !sigma.is_finite() {
         return None;

@@ -12,7 +12,7 @@ use linkdyn_picture::{Axis, Chart, Mark};
 /// Most values that are drawn, all curves together.
 const MOST_VALUES: usize = 50_000_000;
 
-/// The figure, and units that were asked for in vain.
+/// The figure, and units requested in vain.
 pub fn chart(options: &Options, runs: &[Results]) -> Result<(Chart, Vec<String>), Failure> {
     let mut units = Units::new(&options.units, options.x_unit.as_deref())?;
     let (found, [x_name, x_unit]) = curves(options, runs, &mut units)?;
@@ -87,7 +87,7 @@ fn curves(
     Ok((found, x_axis.unwrap_or_default()))
 }
 
-/// Marks that were asked for, and events of the runs.
+/// Marks requested, and events of the runs.
 fn marks(options: &Options, runs: &[Results], x_name: &str, x_unit: &str) -> Vec<Mark> {
     let mut marks = options.mark.clone();
     if options.events {

@@ -8,7 +8,7 @@ use linkdyn_output::{
     RelativeQuantity, ShakingQuantity, TIME, Table,
 };
 
-/// A unit that was asked for.
+/// A unit requested.
 #[derive(Debug)]
 struct Wanted {
     text: String,
@@ -16,7 +16,7 @@ struct Wanted {
     is_used: bool,
 }
 
-/// The units that were asked for.
+/// The units requested.
 #[derive(Debug)]
 pub struct Units {
     wanted: Vec<Wanted>,
@@ -56,7 +56,7 @@ impl Units {
     /// Unit and values of the x axis.
     ///
     /// # Errors
-    /// When the column holds words, or its unit can't be changed into the one that was asked for.
+    /// When the column holds words, or its unit can't be changed into the one that was requested.
     pub fn x(&mut self, table: &Table, column: &ReadColumn) -> Result<(String, Vec<f64>), Failure> {
         let Some(wanted) = &mut self.x else {
             return self.y(table, column);

@@ -224,7 +224,7 @@ pub fn compare([loose, tight]: &[LongRun; 2], report: &mut CaseReport) -> Result
     Ok(())
 }
 
-/// Whether the motion itself can be told to the end.
+/// Whether the motion itself is known to the end.
 fn parting(loose: &LongRun, tight: &LongRun, name: &str) -> Claim {
     let time = loose.parts_from(tight);
     let turns = time.map(|time| time / TURN);
@@ -247,7 +247,7 @@ fn parting(loose: &LongRun, tight: &LongRun, name: &str) -> Claim {
     }
 }
 
-/// What is told of this mechanism: a larger clearance makes larger peaks of the acceleration.
+/// What is reported about this mechanism: a larger clearance makes larger peaks of the acceleration.
 pub fn peaks_grow(runs: &[[LongRun; 2]]) -> Claim {
     let peaks: Vec<f64> = runs
         .iter()

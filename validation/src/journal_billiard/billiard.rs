@@ -40,7 +40,7 @@ struct Billiard {
 }
 
 impl Billiard {
-    /// Impacts until one after `end`, or until their speed is of no account beside v_t.
+    /// Impacts until one after `end`, or until their speed is negligible next to v_t.
     fn new(restitution: f64, end: f64) -> Self {
         let [vx, vy] = VELOCITY;
         let square = vx * vx + vy * vy;

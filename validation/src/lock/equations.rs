@@ -260,7 +260,7 @@ impl Lock {
         Ok(Generalized { torque, forces })
     }
 
-    /// Closes the loops with `r`, the vectors growing from zero; none where the branch of `ideal` ends before (eqs 11, 12).
+    /// Closes the loops with `r`, the vectors growing from zero; `None` if the branch of `ideal` ends before (eqs 11, 12).
     pub fn close(&self, ideal: &Angles, r: &Offsets) -> Option<Angles> {
         let side = self.jacobian(ideal).determinant().signum();
         let (mut part, mut step) = (0.0, 0.1);

@@ -138,7 +138,7 @@ impl Group {
         }
     }
 
-    /// What the worst value says; none where nothing was compared.
+    /// What the worst value says; `None` if nothing was compared.
     fn claim(&self) -> Option<Claim> {
         let Worst {
             column,

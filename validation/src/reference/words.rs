@@ -52,7 +52,7 @@ pub struct Tolerance {
 }
 
 impl Tolerance {
-    /// One entry per unit, so that each unit's worst value is told.
+    /// One entry per unit, so that each unit's worst value is reported.
     pub(super) fn entries(&self) -> Vec<Compare> {
         let Tolerance {
             position,

@@ -216,7 +216,7 @@ fn differences(name: &str, impacts: &[Impact]) -> Claim {
     }
 }
 
-/// The restitution that comes back for the one that was asked for: a row of the table, and a claim of the law's authors.
+/// The restitution that comes back for the one that was requested: a row of the table, and a claim of the law's authors.
 fn delivered(report: &mut CaseReport, name: &str, impacts: &[Impact]) {
     let impacts: Vec<&Impact> = impacts
         .iter()

@@ -1,4 +1,4 @@
-//! Errors of forward dynamics over the tolerance asked for, beside SciPy's DOP853 on minimal coordinates; and the steps at
+//! Errors of forward dynamics over the tolerance requested, beside SciPy's DOP853 on minimal coordinates; and the steps at
 //! flat positions, where linkages of parallel cranks could fold over.
 //!
 //! References and what is measured stand in `validation/tolerance-ladder/SOURCE.md`.

@@ -66,7 +66,7 @@ pub fn html(text: &Text, complaints: &Complaints) -> String {
     }
 }
 
-/// What is left of a model without what is wrong in it; none where that is no model.
+/// What is left of a model without what is wrong in it; `None` if that is no model.
 fn drawable(document: &Value) -> Option<Checked> {
     let mut document = document.as_object()?.clone();
     document.insert("format".into(), "linkdyn/1".into());

@@ -1,4 +1,4 @@
-//! What `check` says of tolerances, ranges of clearance, and outputs whose accuracy is asked for.
+//! What `check` says of tolerances, ranges of clearance, and outputs whose accuracy is requested.
 
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::{
@@ -170,7 +170,7 @@ fn of_joint(name: &str, joint: &Joint, units: &DisplayUnits) -> Option<String> {
     }
 }
 
-/// Lengths \[m\] in micrometres, as clearances are told.
+/// Lengths \[m\] in micrometres, as clearances are reported.
 fn range(least: f64, most: f64) -> String {
     let [first, last] = [least, most].map(|value| number(value * 1e6, DIGITS));
     if least == most {

@@ -1,4 +1,4 @@
-//! What is compared: the columns that were asked for, or the usual ones.
+//! What is compared: the columns requested, or the usual ones.
 
 use super::{Rung, ran};
 use linkdyn_model::{DriverKind, GROUND, Model};
@@ -7,7 +7,7 @@ use linkdyn_output::{Column, Trajectory};
 
 /// What changes by less than this is round-off \[SI\].
 const STILL: f64 = 1e-10;
-/// Quantities of the last body that are compared where no columns are asked for.
+/// Quantities of the last body that are compared if no columns are requested.
 const MOTION: [&str; 9] = ["x", "y", "angle", "vx", "vy", "omega", "ax", "ay", "alpha"];
 
 /// Compares the runs that there are.

@@ -150,7 +150,7 @@ impl SmallMotions {
         table
     }
 
-    /// The page in which the shapes move; none where there are no modes.
+    /// The page in which the shapes move; `None` if there are no modes.
     ///
     /// # Errors
     /// Why nothing can be drawn.

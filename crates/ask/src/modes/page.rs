@@ -12,7 +12,7 @@ use super::text::DIGITS;
 use crate::shape::with_profiles;
 use crate::text::number;
 
-/// The page; none where there are no modes.
+/// The page; `None` if there are no modes.
 pub fn html(motions: &SmallMotions) -> Option<Result<String, Fault>> {
     let found = &motions.found;
     if found.modes.is_empty() {

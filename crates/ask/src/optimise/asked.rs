@@ -1,4 +1,4 @@
-//! What is asked for, put into the model's `optimise`, so that it is checked where the file is.
+//! The request, put into the model's `optimise`, so that it is checked where the file is.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ fn bad(text: impl Into<String>) -> Unanswered {
 }
 
 impl Optimise {
-    /// Reads a model with what is asked for besides.
+    /// Reads a model with the request.
     pub(super) fn read(&self, text: &Arc<Text>, sets: &[String]) -> Result<ModelFile, Unanswered> {
         let written = written(text, sets);
         let puts = self.puts(&written)?;
@@ -79,7 +79,7 @@ impl Optimise {
         Ok(puts)
     }
 
-    /// Constraints of the file, and those that are asked for behind them.
+    /// Constraints of the file, and after them those of the request.
     fn put_constraints(&self, written: &Value) -> Result<Option<Put>, Unanswered> {
         let there = written["constraints"].as_array();
         let mut all = there.cloned().unwrap_or_default();

@@ -241,7 +241,7 @@ impl Optimised {
 }
 
 impl Optimised {
-    /// The table of all evaluations, as in `evaluations.csv`; they are kept where that is asked for.
+    /// The table of all evaluations, as in `evaluations.csv`; they are kept if that is requested.
     pub fn table(&self) -> String {
         let target = &self.target;
         let mut out = self.headings().join(",");

@@ -203,7 +203,7 @@ impl Optimised {
         names.zip(self.derivatives().0).collect()
     }
 
-    /// Why it is not what was looked for; none where it is.
+    /// Why it is not what was looked for; `None` if it is.
     pub fn failure(&self) -> Option<String> {
         Some(match (self.status(), self.target.aim) {
             ("found", _) => return None,
@@ -225,7 +225,7 @@ impl Optimised {
         self.found().is_some()
     }
 
-    /// The best values of the parameters that may change \[SI\], or the nearest; none where no variant has a result.
+    /// The best values of the parameters that may change \[SI\], or the nearest; `None` if no variant has a result.
     pub fn values(&self) -> impl Iterator<Item = (&str, f64)> {
         let best = self.best().into_iter().flat_map(|(best, _)| &best.x);
         let variables = self.target.variables.iter();
@@ -233,7 +233,7 @@ impl Optimised {
         values.map(|(own, x)| (own.parameter.name.as_str(), *x))
     }
 
-    /// The model with what was found, everything else as it is; none where nothing was found.
+    /// The model with what was found, everything else as it is; `None` if nothing was found.
     ///
     /// # Errors
     /// A model that has faults with these values.

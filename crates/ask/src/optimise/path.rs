@@ -9,7 +9,7 @@ use linkdyn_output::Trajectory;
 /// A model whose motion gives the path.
 pub struct Path {
     source: Source,
-    /// None where its file must be read for each variant.
+    /// `None` if its file must be read for each variant.
     pub substitution: Option<Substitution>,
     names: Vec<String>,
 }

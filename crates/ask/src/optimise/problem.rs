@@ -132,7 +132,7 @@ impl Problem<'_> {
                 Found::Stopped => return Found::Stopped,
             }
         }
-        // Responses are told in the end, and no search needs them.
+        // Responses are reported in the end, and no search needs them.
         let is_told = self.call == Call::Last && !self.target.responses.is_empty();
         if self.target.aim == Aim::Curve && !is_told {
             return Found::Some(measured);

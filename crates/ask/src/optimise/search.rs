@@ -25,7 +25,7 @@ pub struct Ended {
     pub how: &'static str,
     pub is_stopped: bool,
     pub x: Vec<f64>,
-    /// What it comes to; none where there never was a value.
+    /// What it comes to; `None` if there never was a value.
     pub measured: Option<Measured>,
     /// What is to be least there.
     pub value: f64,

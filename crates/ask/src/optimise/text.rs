@@ -146,7 +146,7 @@ fn starts(told: &Optimised) -> String {
     )
 }
 
-/// Where derivatives came from; none where none were needed.
+/// Where derivatives came from; `None` if none were needed.
 fn derivatives(told: &Optimised) -> Option<String> {
     match told.derivatives().sum() {
         [0, 0] => None,

@@ -26,7 +26,7 @@ pub struct Timing {
 const AT_START: f64 = 1e-9;
 
 impl Timing {
-    /// Of a curve with values of the driver; none where it does not matter when.
+    /// Of a curve with values of the driver; `None` if it does not matter when.
     ///
     /// # Errors
     /// A model that can't be put together as it is, and values that lie on both sides of where a slide starts.

@@ -170,7 +170,7 @@ fn missing<T>(status: Status) -> Option<Found<T>> {
 }
 
 impl Deviations {
-    /// None where nothing scatters.
+    /// `None` if nothing scatters.
     fn new(
         loaded: &Loaded,
         names: &[&str],

@@ -1,4 +1,4 @@
-//! A run in words: how it went, and the numbers that are asked for first.
+//! A run in words: how it went, and the numbers that are requested first.
 
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_model::display::DisplayUnits;

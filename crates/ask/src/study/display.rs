@@ -1,4 +1,4 @@
-//! The units in which a study is told.
+//! The units in which a study is reported.
 
 use linkdyn_engine::analysis::Family;
 use linkdyn_model::Model;

@@ -20,7 +20,7 @@ const WORK: u64 = 1 << 22;
 /// So many outputs of a prescribed motion cost what one of a free motion does.
 const FREE: u64 = 64;
 
-/// A response that is asked for.
+/// A response requested.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Asked {
     /// Its name.

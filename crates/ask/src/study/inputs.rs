@@ -10,7 +10,7 @@ use crate::near::did_you_mean;
 use crate::scatter::distribution;
 use crate::{ModelFile, Unanswered};
 
-/// What is told of a column of inputs.
+/// What is reported about a column of inputs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Column {
     /// `parameters.NAME`, or `parameters.NAME.deviation` of one that follows from others.
@@ -53,7 +53,7 @@ pub enum How {
 pub struct Inputs {
     pub inputs: Vec<Input>,
     pub design: Design,
-    /// Rows that belong together for Sobol indices; none where they are not asked for.
+    /// Rows that belong together for Sobol indices; `None` if they are not requested.
     pub rows_per_point: Option<u64>,
     /// Inputs of the grid come first.
     pub varied: usize,
@@ -144,7 +144,7 @@ impl Inputs {
         }
     }
 
-    /// The inputs of a variant as they are told, and as the model is given them.
+    /// The inputs of a variant as they are reported, and as the model is given them.
     pub fn values(&self, variant: u64, told: &mut [f64], given: &mut [f64]) {
         self.design.row(variant, told);
         given.copy_from_slice(told);

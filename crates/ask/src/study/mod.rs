@@ -48,7 +48,7 @@ pub struct Studied {
     /// What the study is.
     #[serde(flatten)]
     pub head: Head,
-    /// The units in which it is told.
+    /// The units in which it is reported.
     pub display: Display,
     /// What the variants come to.
     #[serde(rename = "summary")]

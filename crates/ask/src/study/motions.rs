@@ -43,7 +43,7 @@ impl Variants {
     }
 }
 
-/// What a run of the model has of a motion; none where it has no position.
+/// What a run of the model has of a motion; `None` if it has no position.
 fn motion(variant: Option<u64>, model: &Checked, control: &Control) -> Option<Motion> {
     let control = Control {
         interrupted: Arc::clone(&control.interrupted),

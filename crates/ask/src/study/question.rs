@@ -1,4 +1,4 @@
-//! What a study is asked for.
+//! The settings of a study.
 
 use linkdyn_engine::analysis::Control;
 use linkdyn_model::study::{SampleIndices, SampleMethod};

@@ -1,5 +1,5 @@
 //! Which variants the page draws: some spread evenly over all, each by chance within its stretch, and those with the smallest and
-//! largest responses. The same ones whenever they are asked for.
+//! largest responses. The same ones whenever they are requested.
 
 use super::head::Head;
 use linkdyn_picture::study_page::{Variant, most_rows};

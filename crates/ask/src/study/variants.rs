@@ -25,7 +25,7 @@ pub struct Variants {
     pub file: ModelFile,
     /// What the study is.
     pub head: Head,
-    /// The units in which it is told.
+    /// The units in which it is reported.
     pub display: Display,
     pub(super) family: Family,
     pub(super) inputs: Inputs,
@@ -87,7 +87,7 @@ impl Variants {
         })
     }
 
-    /// Computes all variants, whose rows `take` is given in their order; none where it is interrupted. Threads of rayon share
+    /// Computes all variants, whose rows `take` is given in their order; `None` if it is interrupted. Threads of rayon share
     /// the work.
     pub fn answer(&self, control: &Control, mut take: impl FnMut(&Rows)) -> Option<Studied> {
         let (plan, whole) = (self.head.plan(), self.head.variants as f64);
@@ -189,7 +189,7 @@ impl Variants {
         growing.failure.map_or(Ok(is_whole), Err)
     }
 
-    /// One variant; none where it was interrupted. A fault of linkdyn spoils this row alone.
+    /// One variant; `None` if it was interrupted. A fault of linkdyn spoils this row alone.
     fn row<'f>(&'f self, member: &mut Member<'f>, variant: u64, control: &Control) -> Option<Made> {
         if control.interrupted.load(Ordering::Relaxed) {
             return None;

@@ -1,4 +1,4 @@
-//! Columns of forces and joints that are there when asked for: they follow from the rows of a run.
+//! Columns of forces and joints that are there when requested: they follow from the rows of a run.
 //!
 //! ```text
 //! spring, actuator   l = |d|, l̇, F = u·f, f, P        d = P₂ − P₁, u = d/l, f the force on the second body, F > 0 pushes apart
@@ -20,7 +20,7 @@ use crate::system::{ForceRole, JointData, JointRole, System};
 use linkdyn_linear::math::{Vec2, dot};
 use linkdyn_output::{Channel, Column, JointQuantity, LoadQuantity, RelativeQuantity};
 
-/// The columns that may be asked for, in their order.
+/// The columns that may be requested, in their order.
 pub(super) fn offered(system: &System, contents: Contents) -> Vec<Column> {
     let mut columns = Vec::new();
     for (k, joint) in system.joints.iter().enumerate() {
@@ -44,7 +44,7 @@ pub(super) fn has_unasked(system: &System) -> bool {
     forces.any(|force| force.role.is_actuator())
 }
 
-/// Whether a column is of an actuator, and in results without being asked for.
+/// Whether a column is of an actuator, and in results without being requested.
 pub(super) fn is_unasked(system: &System, column: &Column) -> bool {
     match column.channel {
         Some(Channel::Load(
@@ -120,7 +120,7 @@ pub(super) struct Acting<'s> {
 }
 
 impl<'s> Acting<'s> {
-    /// These columns beside rows; none where the rows lack what they follow from.
+    /// These columns beside rows; `None` if the rows lack what they follow from.
     pub fn new(system: &'s System, columns: &Columns, wanted: &[Column]) -> Option<Self> {
         let reading = |column: &Column| match column.channel? {
             Channel::Relative(joint, quantity) => relative(system, columns, joint, quantity),

@@ -1,4 +1,4 @@
-//! What a designer is told of cams: pressure angles that jam, profiles that can't be made, contacts that would open.
+//! Messages about cams for their designer: pressure angles that jam, profiles that can't be made, contacts that would open.
 //!
 //! A follower that slides jams in its guide from a pressure angle of about 30° on, one that swings from about 45° (Norton, Cam
 //! Design and Manufacturing Handbook, 2009, ch. 7; VDI 2142).
@@ -13,7 +13,7 @@ const SLIDES: f64 = 30.0 * std::f64::consts::PI / 180.0;
 const SWINGS: f64 = 45.0 * std::f64::consts::PI / 180.0;
 /// Part of the largest force below which a pull is round-off [–].
 const ROUND_OFF: f64 = 1e-9;
-/// Digits of what is told.
+/// Digits of what is reported.
 const DIGITS: usize = 4;
 
 /// What was seen of the cams of a mechanism.

@@ -193,7 +193,7 @@ impl Channels {
 }
 
 impl Stretch {
-    /// The stretch that begins with a channel; none where it is not computed with the rows.
+    /// The stretch that begins with a channel; `None` if it is not computed with the rows.
     fn begin(channel: Channel) -> Option<Stretch> {
         match channel {
             Channel::Time => Some(Stretch::Time),

@@ -58,7 +58,7 @@ pub struct ClearanceLinks {
 }
 
 impl ClearanceLinks {
-    /// The links of a system; none where it has none.
+    /// The links of a system; `None` if it has none.
     pub fn of(system: &System) -> Option<Self> {
         let joints: Vec<(usize, f64)> = system
             .joints

@@ -54,7 +54,7 @@ pub struct Departure {
     pub warning: Option<String>,
 }
 
-/// Of a mechanism that is free to move; none where it starts regularly, or nothing is known to lead away.
+/// Of a mechanism that is free to move; `None` if it starts regularly, or nothing is known to lead away.
 ///
 /// # Errors
 /// Velocities that lie on no branch, and branches that nothing decides between.
@@ -79,7 +79,7 @@ pub fn free(system: &System, assembled: &Assembled) -> Result<Option<Departure>,
     }))
 }
 
-/// Of a mechanism that one driver moves; none where that can't leave the position.
+/// Of a mechanism that one driver moves; `None` if that can't leave the position.
 ///
 /// # Errors
 /// As [`free`].

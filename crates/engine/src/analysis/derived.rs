@@ -1,7 +1,7 @@
 //! Quantities that follow from a run's results, row by row, and are no result columns: for the report, and for responses.
 
 use super::applied::Loads;
-use super::beside::{Beside, Following};
+use super::derived_columns::{DerivedColumns, DerivedSelection};
 use super::question::{self, Question};
 use super::rows::Columns;
 use super::shaking::{self, Shaking};
@@ -14,10 +14,10 @@ use linkdyn_output::{Column, Trajectory};
 /// What may follow from rows, beside applied forces and shaking force and moment.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Wanted {
-    /// None where none is wanted, none within where its driver or body is not there.
+    /// `None` if none is requested, `None` within if its driver or body is not there.
     pub transmission: Option<Option<Transmission>>,
-    /// Columns that results have where they are asked for.
-    pub following: Following,
+    /// Columns that results have if they are requested.
+    pub following: DerivedSelection,
 }
 
 impl Wanted {
@@ -25,20 +25,20 @@ impl Wanted {
     pub fn all(system: &System, question: &Question) -> Self {
         Wanted {
             transmission: question.transmission,
-            following: Following::all(system, question.contents),
+            following: DerivedSelection::all(system, question.contents),
         }
     }
 }
 
 /// Applied forces, shaking force and moment, velocity ratio, mechanical advantage and transmission angles, as far as there are
-/// any, and columns that results have where they are asked for.
+/// any, and columns that results have if they are requested.
 pub(super) struct Derived<'s> {
     pub headings: Vec<Column>,
     loads: Loads<'s>,
     shaking: Option<Shaking<'s>>,
-    /// None where none is wanted.
+    /// `None` if none is wanted.
     transmission: Option<Result<Transmitted<'s>, String>>,
-    beside: Beside<'s>,
+    beside: DerivedColumns<'s>,
 }
 
 impl<'s> Derived<'s> {
@@ -50,7 +50,7 @@ impl<'s> Derived<'s> {
         let transmission = wanted.transmission;
         let transmission = transmission.map(|wanted| Transmitted::new(system, wanted, &columns));
         let is_new = |column: &Column| !loads.headings.contains(column);
-        let beside = Beside::new(system, &columns, &wanted.following.of(is_new));
+        let beside = DerivedColumns::new(system, &columns, &wanted.following.of(is_new));
         let mut headings = loads.headings.clone();
         headings.extend(shaking.iter().flat_map(|_| shaking::headings()));
         let transmitted = transmission.iter().flatten();
@@ -95,7 +95,7 @@ impl<'s> Derived<'s> {
     }
 }
 
-/// Applied forces and torques at the instants of a table with the poses of all bodies; none where the model can't be run.
+/// Applied forces and torques at the instants of a table with the poses of all bodies; `None` if the model can't be run.
 pub fn loads(model: &Checked, results: &Trajectory) -> Option<Trajectory> {
     let system = compile(model, model.analysis.as_ref()?.kind).ok()?;
     let mut loads = Loads::new(&system, &Columns::of(&results.columns));
@@ -126,7 +126,7 @@ pub fn derived(model: &Checked, results: &Trajectory) -> (Trajectory, Vec<String
             ..Wanted::default()
         };
         let mut derived = Derived::new(&system, &results.columns, &wanted);
-        // what was asked for is in the results already
+        // what was requested is in the results already
         let is_new = |column: &Column| results.id_of(column).is_none();
         let new: Vec<bool> = derived.headings.iter().map(is_new).collect();
         let kept = derived.headings.iter().zip(&new).filter(|(_, new)| **new);

@@ -67,7 +67,7 @@ pub fn turns(system: &System, at: &Kinematics) -> Vec<f64> {
     turns
 }
 
-/// The system with its stops at the turn at which the mechanism is; none where they are there.
+/// The system with its stops at the turn at which the mechanism is; `None` if they are there.
 pub fn at_this_turn(system: &System, q: &[f64]) -> Option<System> {
     let turns = seen(system, q, |at| turns(system, at));
     turns
@@ -77,7 +77,7 @@ pub fn at_this_turn(system: &System, q: &[f64]) -> Option<System> {
 }
 
 /// The system at rest, with its stops at the turn at which the mechanism is, and with its locks and one-way clutches where they are;
-/// none where that is what it is.
+/// `None` if that is what it is.
 pub fn at_rest(system: &System, q: &[f64]) -> Option<System> {
     let turned = at_this_turn(system, q);
     let system = turned.as_ref().unwrap_or(system);

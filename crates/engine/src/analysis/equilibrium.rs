@@ -7,7 +7,7 @@ use super::in_line::singular_text;
 use crate::element::Axis;
 use crate::mechanism::driven::Failure;
 use crate::mechanism::equilibrium::{Balance, Lost, find};
-use crate::mechanism::held::Held;
+use crate::mechanism::linearised_system::LinearisedSystem;
 use crate::system::{Inputs, System};
 use linkdyn_output::Status;
 
@@ -16,7 +16,7 @@ use linkdyn_output::Status;
 ///
 /// # Errors
 /// When it does not assemble, has too many drivers, or is in a singular position that it can't leave.
-pub fn start(system: &System, pose: bool) -> Result<(Assembled, Held<'_>), Stop> {
+pub fn start(system: &System, pose: bool) -> Result<(Assembled, LinearisedSystem<'_>), Stop> {
     let inputs = Inputs::at_time(system, 0.0);
     let mut assembled = assemble(system, &inputs)?;
     if assembled.all.rank == system.n() || system.drivers.len() > system.n() - assembled.joints.rank
@@ -33,7 +33,8 @@ pub fn start(system: &System, pose: bool) -> Result<(Assembled, Held<'_>), Stop>
                 .into(),
         ));
     }
-    let held = Held::new(system, &assembled.all.free_columns, &assembled.q).map_err(singular)?;
+    let held = LinearisedSystem::new(system, &assembled.all.free_columns, &assembled.q)
+        .map_err(singular)?;
     Ok((assembled, held))
 }
 
@@ -48,7 +49,11 @@ fn singular(_: Failure) -> Stop {
 ///
 /// # Errors
 /// When there is none or a singular one, or it is time to stop.
-pub fn balance(held: &mut Held, assembled: &Assembled, control: &Control) -> Result<Balance, Stop> {
+pub fn balance(
+    held: &mut LinearisedSystem,
+    assembled: &Assembled,
+    control: &Control,
+) -> Result<Balance, Stop> {
     let found = find(held, &|| control.stop().is_some());
     let singular = |message: String| Stop::failed(Status::Singular, message);
     let lost = match found {
@@ -94,7 +99,7 @@ pub fn balance(held: &mut Held, assembled: &Assembled, control: &Control) -> Res
 }
 
 /// ` (…)`: what is nearest to being singular.
-fn what(held: &mut Held) -> String {
+fn what(held: &mut LinearisedSystem) -> String {
     let rows = held.strained_rows();
     singular_text(held.driven.system, &rows).map_or_else(String::new, |what| format!(" ({what})"))
 }
@@ -104,7 +109,7 @@ fn what(held: &mut Held) -> String {
 const RESTS: f64 = 1e-4;
 
 /// Whether the search ended where nothing pulls any more and constraints lose rank.
-fn rests_in_singular(held: &Held, start: &Assembled) -> bool {
+fn rests_in_singular(held: &LinearisedSystem, start: &Assembled) -> bool {
     let system = held.driven.system;
     let rows = ranks(system, &held.q, &held.inputs).1;
     let near = rows.rank + held.freedom() < system.n()
@@ -124,7 +129,7 @@ fn rests_in_singular(held: &Held, start: &Assembled) -> bool {
 }
 
 /// The coordinate that is pulled at most.
-fn pulled(held: &Held) -> String {
+fn pulled(held: &LinearisedSystem) -> String {
     let pull: Vec<f64> = held
         .pull()
         .iter()
@@ -136,7 +141,7 @@ fn pulled(held: &Held) -> String {
 }
 
 /// The name of a minimal coordinate.
-pub(super) fn coordinate(held: &Held, k: usize) -> String {
+pub(super) fn coordinate(held: &LinearisedSystem, k: usize) -> String {
     let system = held.driven.system;
     let (body, axis) = system.layout.coordinate(held.driven.independent[k].column);
     let axis = match axis {

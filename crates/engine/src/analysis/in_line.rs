@@ -44,7 +44,7 @@ pub fn stressed_rows(system: &System, self_stress: &[f64]) -> Vec<usize> {
 /// A body that carries a force between two pins: its number, and the first rows of these.
 type Rod = (usize, [usize; 2]);
 
-/// What lies in a line, from the rows of a self-stress: `"coupler" and "rocker" are in line`; none where that is not it.
+/// What lies in a line, from the rows of a self-stress: `"coupler" and "rocker" are in line`; `None` if that is not it.
 pub fn in_line(system: &System, rows: &[usize]) -> Option<String> {
     let is_stressed = |block: &&Block| {
         let mut own = block.rows();

@@ -14,7 +14,7 @@ use crate::element::quantity::Measured;
 use crate::element::stop::Stop;
 use crate::element::yielding::Yielding;
 use crate::mechanism::equilibrium::Balance;
-use crate::mechanism::held::Held;
+use crate::mechanism::linearised_system::LinearisedSystem;
 use crate::system::{ForceData, ForceRole, Owner, System};
 use linkdyn_output::Status;
 use std::sync::Arc;
@@ -43,7 +43,7 @@ pub fn rest<T>(
     system: &System,
     q: &[f64],
     control: &Control,
-    told: impl FnOnce(&Assembled, &mut Held, &Balance, &[ContactSample]) -> T,
+    told: impl FnOnce(&Assembled, &mut LinearisedSystem, &Balance, &[ContactSample]) -> T,
 ) -> Result<T, Failed> {
     let free = seen(system, q, |at| free(system, at));
     let mut queue: Vec<Vec<ContactId>> = vec![latched(system, q)];
@@ -112,7 +112,7 @@ fn latched(system: &System, q: &[f64]) -> Vec<ContactId> {
     seen(system, q, |at| all.filter(|id| closed(id, at)).collect())
 }
 
-/// The mechanism held by the latches that are closed at a position; none where there are none.
+/// The mechanism held by the latches that are closed at a position; `None` if there are none.
 pub fn latched_system(system: &System, q: &[f64]) -> Option<System> {
     let pressed = latched(system, q);
     let leaning = Leaning {
@@ -165,7 +165,7 @@ impl Leaning<'_> {
     }
 
     /// Contacts where the mechanism is.
-    fn readings(&self, held: &mut Held) -> Vec<ContactSample> {
+    fn readings(&self, held: &mut LinearisedSystem) -> Vec<ContactSample> {
         let mut sample = Sample::new(held.driven.system);
         held.driven.multipliers(&held.force, &mut sample.lambda);
         let at = held.driven.evaluation.kinematics(&held.inputs);
@@ -196,7 +196,7 @@ impl Leaning<'_> {
         readings.collect()
     }
 
-    /// Choices that this one leads to: none where nothing contradicts it.
+    /// Choices that this one leads to: `None` if nothing contradicts it.
     fn others(&self, contacts: &[ContactSample]) -> Vec<Vec<ContactId>> {
         let mut others = Vec::new();
         let pull = PULL * self.whole.scale.force();

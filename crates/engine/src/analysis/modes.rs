@@ -6,7 +6,7 @@
 //! ζ = −Re s / |s|            damping ratio [–]
 //! ```
 //!
-//! M̂, Ĉ, K̂ as in [`crate::mechanism::held`], drivers held. About the equilibrium, or about the assembled position as it is: what
+//! M̂, Ĉ, K̂ as in [`crate::mechanism::linearised_system`], drivers held. About the equilibrium, or about the assembled position as it is: what
 //! is linearised there is the motion relative to the one that the unbalanced forces begin.
 
 use super::assembly::Assembled;
@@ -17,7 +17,7 @@ use super::words::friction_left_out;
 use super::{ends, leaning};
 use crate::element::Axis;
 use crate::mechanism::equilibrium::{Balance, judge};
-use crate::mechanism::held::Held;
+use crate::mechanism::linearised_system::LinearisedSystem;
 use crate::system::{System, compile::compile};
 use linkdyn_linear::eigen::{EigenFault, Eigenpair, quadratic};
 use linkdyn_model::error::{Complaint, Complaints};
@@ -65,7 +65,7 @@ impl Mode {
         self.eigenvalue[0].hypot(self.eigenvalue[1])
     }
 
-    /// ζ [–]; none where nothing pulls back.
+    /// ζ [–]; `None` if nothing pulls back.
     pub fn damping_ratio(&self) -> Option<f64> {
         let frequency = self.frequency();
         (frequency > 0.0).then(|| {
@@ -129,7 +129,7 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
 }
 
 /// Refuses a mechanism in which nothing is free to move.
-fn free(held: &Held) -> Result<(), Stop> {
+fn free(held: &LinearisedSystem) -> Result<(), Stop> {
     if held.freedom() > 0 {
         return Ok(());
     }
@@ -145,7 +145,7 @@ fn free(held: &Held) -> Result<(), Stop> {
 /// Small motions about where a mechanism is held.
 fn about(
     assembled: &Assembled,
-    held: &mut Held,
+    held: &mut LinearisedSystem,
     balance: &Balance,
     pose: bool,
 ) -> Result<Linearised, Stop> {
@@ -183,7 +183,7 @@ fn about(
 }
 
 /// Names and places of the moving bodies' frames.
-fn bodies(held: &Held) -> Vec<(String, [f64; 3])> {
+fn bodies(held: &LinearisedSystem) -> Vec<(String, [f64; 3])> {
     let system = held.driven.system;
     let bodies = system.bodies.iter().zip(system.layout.bodies());
     bodies
@@ -196,7 +196,7 @@ fn bodies(held: &Held) -> Vec<(String, [f64; 3])> {
 }
 
 /// An eigenvector as motions of the bodies' frames.
-fn mode(held: &Held, pair: &Eigenpair) -> Mode {
+fn mode(held: &LinearisedSystem, pair: &Eigenpair) -> Mode {
     let [re, im] =
         [0, 1].map(|part| held.along(&pair.vector.iter().map(|x| x[part]).collect::<Vec<_>>()));
     let system = held.driven.system;

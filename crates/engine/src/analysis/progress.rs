@@ -20,7 +20,7 @@ impl Progress {
             .store((done / whole).clamp(0.0, 1.0).to_bits(), Ordering::Relaxed);
     }
 
-    /// From 0 to 1; none where nobody can tell.
+    /// From 0 to 1; `None` if unknown.
     pub fn share(&self) -> Option<f64> {
         let share = f64::from_bits(self.0.load(Ordering::Relaxed));
         share.is_finite().then_some(share)

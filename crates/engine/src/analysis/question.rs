@@ -1,8 +1,8 @@
 //! The words of a question (`analysis` of a model) as the numbers that the analyses take. Below this no file names the model.
 
-use super::beside::Following;
 use super::channels::Contents;
 use super::control::Stop;
+use super::derived_columns::DerivedSelection;
 use super::instants::{Equidistant, Instants, Sampled};
 use super::transmission::Transmission;
 use super::{driven, dynamics, dynamics::Wanted};
@@ -12,7 +12,7 @@ use crate::system::System;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{Accelerations, Analysis, AnalysisKind, OutputsAt, Sample};
 
-/// What a run is asked for, in numbers.
+/// The settings of a run, in numbers.
 #[derive(Debug, Clone)]
 pub(super) struct Question {
     pub kind: Kind,
@@ -23,12 +23,12 @@ pub(super) struct Question {
     /// The transmission that is wanted, none within where its driver or body is not there.
     pub transmission: Option<Option<Transmission>>,
     /// Columns behind those that an analysis has.
-    pub following: Following,
+    pub following: DerivedSelection,
     /// When there are outputs.
     instants: Instants,
     /// Located events are outputs, too.
     at_events: bool,
-    /// A name that no method has is told where a method is needed.
+    /// A name that no method has is reported where a method is needed.
     method: Result<Method, UnknownMethod>,
     solver: Option<Solver>,
     wanted: Wanted,
@@ -59,7 +59,7 @@ impl Question {
         Ok(Question {
             kind: kind(system, analysis.kind),
             contents,
-            following: Following::in_results(system, contents, &analysis.columns),
+            following: DerivedSelection::in_results(system, contents, &analysis.columns),
             columns: analysis.columns.clone(),
             transmission: analysis
                 .transmission
@@ -193,7 +193,7 @@ fn sampled(system: &System, sample: &Sample) -> Result<Sampled, Complaint> {
     })
 }
 
-/// The transmission that an analysis names; none where its driver or body is not there.
+/// The transmission that an analysis names; `None` if its driver or body is not there.
 pub(super) fn transmission(
     system: &System,
     wanted: &linkdyn_model::Transmission,

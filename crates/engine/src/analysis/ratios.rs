@@ -86,7 +86,7 @@ impl Part {
 }
 
 impl<'s> Ratios<'s> {
-    /// These columns beside rows; none where the rows lack a pose.
+    /// These columns beside rows; `None` if the rows lack a pose.
     pub fn new(system: &'s System, columns: &Columns, wanted: &[Column]) -> Option<Self> {
         let ratio = |column: &Column| match column.channel {
             Some(Channel::Output(output)) => Some(Ratio {

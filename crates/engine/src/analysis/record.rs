@@ -12,7 +12,7 @@ pub struct Recorder {
     channels: Channels,
     /// The rows so far.
     pub trajectory: Trajectory,
-    /// What is seen of cams; none where there are none.
+    /// What is seen of cams; `None` if there are none.
     cams: Option<Watch>,
     reactions: bool,
 }

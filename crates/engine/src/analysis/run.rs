@@ -1,8 +1,8 @@
 //! From a model to a trajectory and a report.
 
-use super::beside::{Beside, Following};
 use super::channels::{Channels, Contents};
 use super::control::{Control, Stop};
+use super::derived_columns::{DerivedColumns, DerivedSelection};
 use super::driven::Between;
 use super::needed::{Needed, behind};
 use super::outcome::Outcome;
@@ -153,7 +153,7 @@ impl Prepared {
         let (selected, warnings) = match patterns.is_empty() {
             true => (None, Vec::new()),
             false => {
-                let offered = Following::all(&self.system, self.question.contents);
+                let offered = DerivedSelection::all(&self.system, self.question.contents);
                 trajectory.select_beside(patterns, &offered.headings())
             }
         };
@@ -187,7 +187,7 @@ impl Prepared {
             return (outputs, peaks);
         }
         let columns = Columns::of(&contents.columns(&self.system));
-        let mut beside = Beside::new(&self.system, &columns, following);
+        let mut beside = DerivedColumns::new(&self.system, &columns, following);
         let outputs = beside.appended(&outputs);
         report.warnings.extend(beside.notes());
         let peaks = match peaks.width() {

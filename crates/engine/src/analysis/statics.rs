@@ -13,7 +13,7 @@ use super::sample::{ContactSample, Sample};
 use super::words::friction_left_out;
 use super::{ends, leaning};
 use crate::mechanism::equilibrium::{Balance, Stability};
-use crate::mechanism::held::Held;
+use crate::mechanism::linearised_system::LinearisedSystem;
 use crate::system::{JointData, System};
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Equilibrium, Report, Stopwatch, Trajectory};
@@ -64,7 +64,7 @@ pub fn run(
 fn told(
     (system, contents): (&System, Contents),
     assembled: &Assembled,
-    held: &mut Held,
+    held: &mut LinearisedSystem,
     balance: &Balance,
     contacts: &[ContactSample],
 ) -> (Trajectory, Report) {
@@ -96,7 +96,7 @@ fn told(
 }
 
 /// A mechanism at rest where it is held.
-pub fn sample(held: &mut Held) -> Sample {
+pub fn sample(held: &mut LinearisedSystem) -> Sample {
     let mut sample = Sample::new(held.driven.system);
     sample.q.copy_from_slice(&held.q);
     sample.force.copy_from_slice(&held.force);
@@ -143,7 +143,7 @@ fn word(stability: Stability) -> &'static str {
 }
 
 /// An equilibrium for the report.
-pub fn described(held: &Held, balance: &Balance) -> Equilibrium {
+pub fn described(held: &LinearisedSystem, balance: &Balance) -> Equilibrium {
     Equilibrium {
         stability: word(balance.stability),
         coordinates: (0..held.freedom()).map(|k| coordinate(held, k)).collect(),

@@ -125,7 +125,7 @@ impl Point {
     }
 
     /// How it goes on from v_t = 0.
-    fn way_from_rest(&self) -> Direction {
+    fn slip_direction_from_stick(&self) -> Direction {
         let sticks = self.coupling.abs() <= self.friction * self.tangent;
         (!sticks).then(|| self.coupling.signum())
     }
@@ -262,7 +262,7 @@ impl Course {
         let direction = if slides {
             Some(velocity[1].signum())
         } else {
-            point.way_from_rest()
+            point.slip_direction_from_stick()
         };
         let slip = match (slides, direction) {
             (true, _) => Slip::Continues,
@@ -323,7 +323,7 @@ impl Course {
     /// Sliding stops, and may start the other way.
     fn stop(&mut self) {
         self.walk.velocity[1] = 0.0;
-        self.direction = self.point.way_from_rest();
+        self.direction = self.point.slip_direction_from_stick();
         self.slip = match self.direction {
             Some(_) => Slip::Reverses,
             None => Slip::Stops,

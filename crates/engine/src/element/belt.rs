@@ -55,7 +55,7 @@ pub struct Belt {
     pub distance: f64,
     /// T₀ \[N\].
     pub pretension: f64,
-    /// k [N/m] and b [N·s/m] of each strand; none where it does not stretch.
+    /// k [N/m] and b [N·s/m] of each strand; `None` if it does not stretch.
     pub elastic: Option<[f64; 2]>,
 }
 
@@ -250,7 +250,7 @@ impl Constraint for Belt {
         gamma[0] = -square;
     }
 
-    fn bends(&self) -> Vec<Slope> {
+    fn curvature_pattern(&self) -> Vec<Slope> {
         upper_pairs(&self.first, &self.second)
     }
 

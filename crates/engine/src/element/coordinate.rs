@@ -84,7 +84,7 @@ impl Constraint for Coordinate {
         } - self.driven(at)[2];
     }
 
-    fn bends(&self) -> Vec<Slope> {
+    fn curvature_pattern(&self) -> Vec<Slope> {
         vec![[(self.origin.body, Axis::Theta); 2]]
     }
 

@@ -65,7 +65,7 @@ impl Constraint for Distance {
         gamma[0] = e.dot(&turn) + across * across / length - at.drive[self.drive.0][2];
     }
 
-    fn bends(&self) -> Vec<Slope> {
+    fn curvature_pattern(&self) -> Vec<Slope> {
         upper_pairs(&self.first, &self.second)
     }
 

@@ -108,8 +108,8 @@ impl Constraint for Translation {
             - at.drive[self.drive.0][2];
     }
 
-    fn bends(&self) -> Vec<Slope> {
-        self.guide.bends().to_vec()
+    fn curvature_pattern(&self) -> Vec<Slope> {
+        self.guide.curvature_pattern().to_vec()
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {

@@ -119,7 +119,7 @@ impl Edge {
         let mut reading = match &self.piece {
             Piece::Straight(straight) => straight.read(at),
             Piece::Round(journal, _) => Reading {
-                // That of a bearing alone is told.
+                // That of a bearing alone is reported.
                 eccentricity: Vec2::zeros(),
                 ..journal.read(at)
             },

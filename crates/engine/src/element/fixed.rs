@@ -7,7 +7,7 @@
 //!
 //! λ is force and torque of the first body on the second, at the second body's point.
 
-use super::revolute::{point_bend, point_bends, point_entries, point_jacobian};
+use super::revolute::{point_bend, point_curvature_pattern, point_entries, point_jacobian};
 use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
@@ -58,8 +58,8 @@ impl Constraint for Fixed {
         gamma.copy_from_slice(&[g.x, g.y, 0.0]);
     }
 
-    fn bends(&self) -> Vec<Slope> {
-        point_bends(&self.first, &self.second)
+    fn curvature_pattern(&self) -> Vec<Slope> {
+        point_curvature_pattern(&self.first, &self.second)
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {

@@ -137,7 +137,7 @@ impl Constraint for Following {
         gamma[0] = -along - across * across / distance;
     }
 
-    fn bends(&self) -> Vec<Slope> {
+    fn curvature_pattern(&self) -> Vec<Slope> {
         let pairs = all_pairs(&self.bearing, &self.journal);
         upper()
             .map(|(row, column)| pairs[row * BOTH + column])
@@ -241,8 +241,8 @@ impl Constraint for Sticking {
         gamma[1] = clearance / distance * (along - turning);
     }
 
-    fn bends(&self) -> Vec<Slope> {
-        self.following.bends()
+    fn curvature_pattern(&self) -> Vec<Slope> {
+        self.following.curvature_pattern()
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {

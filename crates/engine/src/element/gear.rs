@@ -112,7 +112,7 @@ impl Constraint for Gear {
         gamma[0] = self.curvature() * quadratic;
     }
 
-    fn bends(&self) -> Vec<Slope> {
+    fn curvature_pattern(&self) -> Vec<Slope> {
         let turn = |body: BodyId| (body, Axis::Theta);
         let (a, b, c) = (
             turn(self.first.body),

@@ -83,7 +83,7 @@ impl ConstraintDependentForce for PinFriction {
 pub struct GuideFriction {
     /// The guide.
     pub guide: Guide,
-    /// L \[m\]; none where the torque does not press.
+    /// L \[m\]; `None` if the torque does not press.
     pub length: Option<f64>,
     /// Friction by the sliding velocity.
     pub law: Law,

@@ -207,19 +207,19 @@ pub trait Constraint: Send + Sync {
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]);
     /// Where ∂(Jᵀλ)/∂q can be non-zero, in the order [`Constraint::bend`] writes; it is symmetric, and of two entries beside the
     /// diagonal one stands here.
-    /// None where φ is linear in q.
-    fn bends(&self) -> Vec<Slope> {
+    /// `None` if φ is linear in q.
+    fn curvature_pattern(&self) -> Vec<Slope> {
         Vec::new()
     }
     /// Values of these entries.
     fn bend(&self, _at: &Kinematics, _lambda: &[f64], _values: &mut [f64]) {}
     /// Whether φ of a row is linear in q, whatever the others are.
     fn is_linear(&self, _row: usize) -> bool {
-        self.bends().is_empty()
+        self.curvature_pattern().is_empty()
     }
     /// Force on the second body (global axes) \[N\] and torque [N·m] that the multipliers mean.
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64);
-    /// The same equations with other numbers of the two bodies; none where they are more than geometry between two bodies
+    /// The same equations with other numbers of the two bodies; `None` if they are more than geometry between two bodies
     /// (drivers, gears, journals).
     fn between(&self, _id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
         None

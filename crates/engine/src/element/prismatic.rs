@@ -93,7 +93,7 @@ impl Guide {
     }
 
     /// Where −n·d and −u·d bend.
-    pub(super) fn bends(&self) -> [Slope; 7] {
+    pub(super) fn curvature_pattern(&self) -> [Slope; 7] {
         let (a, b) = (self.first.body, self.second.body);
         let (a_turn, b_turn) = ((a, Axis::Theta), (b, Axis::Theta));
         [
@@ -178,8 +178,8 @@ impl Constraint for Prismatic {
         gamma.copy_from_slice(&[self.guide.across_gamma(at), 0.0]);
     }
 
-    fn bends(&self) -> Vec<Slope> {
-        self.guide.bends().to_vec()
+    fn curvature_pattern(&self) -> Vec<Slope> {
+        self.guide.curvature_pattern().to_vec()
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {

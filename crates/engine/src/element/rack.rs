@@ -98,7 +98,7 @@ impl Constraint for Rack {
         gamma[0] = a.dot(&turn) - 2.0 * omega * n.dot(&d_rate) + omega * omega * a.dot(&d);
     }
 
-    fn bends(&self) -> Vec<Slope> {
+    fn curvature_pattern(&self) -> Vec<Slope> {
         let turn = |body: BodyId| (body, Axis::Theta);
         let (wheel, rack) = (turn(self.first.body), turn(self.second.body));
         let place = |body: BodyId| [Axis::X, Axis::Y].map(|axis| [(body, axis), rack]);

@@ -57,13 +57,13 @@ pub(super) fn point_jacobian(at: &Kinematics, first: &Marker, second: &Marker, v
 }
 
 /// Where points that are held together bend: only by their bodies' angles.
-pub(super) fn point_bends(first: &Marker, second: &Marker) -> Vec<Slope> {
+pub(super) fn point_curvature_pattern(first: &Marker, second: &Marker) -> Vec<Slope> {
     [first, second]
         .map(|marker| [(marker.body, Axis::Theta); 2])
         .to_vec()
 }
 
-/// Values of [`point_bends`].
+/// Values of [`point_curvature_pattern`].
 pub(super) fn point_bend(
     at: &Kinematics,
     (first, second): (&Marker, &Marker),
@@ -101,8 +101,8 @@ impl Constraint for Revolute {
         gamma.copy_from_slice(&[g.x, g.y]);
     }
 
-    fn bends(&self) -> Vec<Slope> {
-        point_bends(&self.first, &self.second)
+    fn curvature_pattern(&self) -> Vec<Slope> {
+        point_curvature_pattern(&self.first, &self.second)
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {

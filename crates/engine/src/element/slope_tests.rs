@@ -304,7 +304,7 @@ fn bends_are_the_derivatives_of_what_multipliers_do() {
         let lambda: Vec<f64> = (0..constraint.rows().len())
             .map(|k| 1.5 - 0.7 * k as f64)
             .collect();
-        let bends = constraint.bends();
+        let bends = constraint.curvature_pattern();
         // Each entry beside the diagonal stands for two.
         let mut slopes = bends.clone();
         slopes.extend(bends.iter().map(|[row, column]| [*column, *row]));

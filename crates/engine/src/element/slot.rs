@@ -48,8 +48,8 @@ impl Constraint for Slot {
         gamma[0] = self.guide.across_gamma(at);
     }
 
-    fn bends(&self) -> Vec<Slope> {
-        self.guide.bends().to_vec()
+    fn curvature_pattern(&self) -> Vec<Slope> {
+        self.guide.curvature_pattern().to_vec()
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {

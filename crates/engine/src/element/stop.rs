@@ -347,12 +347,12 @@ impl Constraint for Stop {
         gamma[0] = -self.along_velocities(at, &by_position);
     }
 
-    fn bends(&self) -> Vec<Slope> {
+    fn curvature_pattern(&self) -> Vec<Slope> {
         if self.way == Way::Apart {
             return upper_pairs(&self.first, &self.second);
         }
         self.guide()
-            .map_or_else(Vec::new, |guide| guide.bends().to_vec())
+            .map_or_else(Vec::new, |guide| guide.curvature_pattern().to_vec())
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {

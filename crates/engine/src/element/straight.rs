@@ -236,8 +236,8 @@ impl Constraint for Rolling {
         gamma[1] = stop.along_velocities(at, &by_place);
     }
 
-    fn bends(&self) -> Vec<Slope> {
-        self.straight.stop.bends()
+    fn curvature_pattern(&self) -> Vec<Slope> {
+        self.straight.stop.curvature_pattern()
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {

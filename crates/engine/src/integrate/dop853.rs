@@ -11,7 +11,7 @@
 //! 1e-5 … 1e-11: β = 0.04 saved 1 … 4 % of all evaluations at errors no smaller, 0.08 cost 8 … 11 %; so β = 0.
 //!
 //! f(t + h, y₁) is evaluated once the error is accepted, so that a rejected step costs 11 evaluations. The continuous
-//! extension of order 7 takes three more evaluations, made when it is first asked for.
+//! extension of order 7 takes three more evaluations, made when it is first requested.
 //!
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., Springer 1993,
 //! §II.4 (control), §II.5 (method), §II.6 (continuous extension), §II.10 (estimate).

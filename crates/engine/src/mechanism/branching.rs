@@ -70,7 +70,7 @@ impl Branch {
 }
 
 impl<'s> Singularity<'s> {
-    /// At `q`, where that is a singular position of the first `m` rows; none where it is regular.
+    /// At `q`, where that is a singular position of the first `m` rows; `None` if it is regular.
     ///
     /// # Errors
     /// Where the Jacobian is not finite.

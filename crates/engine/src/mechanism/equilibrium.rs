@@ -10,7 +10,7 @@
 //! ½ (g₀ + g₁)·d ≥ 0 or |g₁| < |g₀|: that is a descent of energy where there is one, and asks for none.
 
 use super::driven::Failure;
-use super::held::Held;
+use super::linearised_system::LinearisedSystem;
 use linkdyn_linear::eigen::{solve, symmetric};
 use linkdyn_linear::math::{dot, max_abs};
 
@@ -75,7 +75,7 @@ struct Local {
 }
 
 impl Local {
-    fn of(held: &mut Held, known: f64) -> Self {
+    fn of(held: &mut LinearisedSystem, known: f64) -> Self {
         let f = held.freedom();
         let scales: Vec<f64> = (0..f).map(|k| held.scale(k)).collect();
         let g: Vec<f64> = held
@@ -156,7 +156,7 @@ impl Local {
 ///
 /// # Errors
 /// See [`Lost`]; the mechanism is then where the search ended.
-pub fn find(held: &mut Held, stopped: &dyn Fn() -> bool) -> Result<Balance, Lost> {
+pub fn find(held: &mut LinearisedSystem, stopped: &dyn Fn() -> bool) -> Result<Balance, Lost> {
     let mut local = Local::of(held, 0.0);
     let mut iterations = 0;
     while local.residual() > BALANCED {
@@ -184,12 +184,12 @@ pub fn find(held: &mut Held, stopped: &dyn Fn() -> bool) -> Result<Balance, Lost
 }
 
 /// The mechanism where it is, as if that were an equilibrium.
-pub fn judge(held: &mut Held) -> Balance {
+pub fn judge(held: &mut LinearisedSystem) -> Balance {
     let local = Local::of(held, 0.0);
     balance(held, &local, 0)
 }
 
-fn balance(held: &mut Held, local: &Local, iterations: u64) -> Balance {
+fn balance(held: &mut LinearisedSystem, local: &Local, iterations: u64) -> Balance {
     let f = held.freedom();
     let lowest = symmetric(&local.k, f).0.first().copied();
     let floor = INDIFFERENT * local.scale;
@@ -208,7 +208,7 @@ fn balance(held: &mut Held, local: &Local, iterations: u64) -> Balance {
 }
 
 /// Moves by `part` of the scaled step `d`.
-fn advance(held: &mut Held, d: &[f64], part: f64) -> Result<(), Failure> {
+fn advance(held: &mut LinearisedSystem, d: &[f64], part: f64) -> Result<(), Failure> {
     let d: Vec<f64> = d
         .iter()
         .enumerate()
@@ -217,7 +217,7 @@ fn advance(held: &mut Held, d: &[f64], part: f64) -> Result<(), Failure> {
     held.advance(&d)
 }
 
-fn pull(held: &Held) -> Vec<f64> {
+fn pull(held: &LinearisedSystem) -> Vec<f64> {
     held.pull()
         .iter()
         .enumerate()
@@ -226,7 +226,7 @@ fn pull(held: &Held) -> Vec<f64> {
 }
 
 /// The largest motion of a coordinate in a scaled step [rad or sizes].
-fn extent(held: &Held, d: &[f64]) -> f64 {
+fn extent(held: &LinearisedSystem, d: &[f64]) -> f64 {
     let d: Vec<f64> = d
         .iter()
         .enumerate()
@@ -236,7 +236,7 @@ fn extent(held: &Held, d: &[f64]) -> f64 {
 }
 
 /// One step with work that is not negative.
-fn step(held: &mut Held, local: &Local) -> Result<(), Lost> {
+fn step(held: &mut LinearisedSystem, local: &Local) -> Result<(), Lost> {
     let mut d = local.direction();
     let shorten = (LONGEST_STEP / extent(held, &d)).min(1.0);
     d.iter_mut().for_each(|d| *d *= shorten);
@@ -260,7 +260,7 @@ fn step(held: &mut Held, local: &Local) -> Result<(), Lost> {
 }
 
 /// One more Newton step, where it brings something.
-fn polish(held: &mut Held, local: &Local) -> Option<Local> {
+fn polish(held: &mut LinearisedSystem, local: &Local) -> Option<Local> {
     let d = local.root();
     if extent(held, &d) > LONGEST_STEP || max_abs(&d) == 0.0 {
         return None;

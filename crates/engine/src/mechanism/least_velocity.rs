@@ -136,7 +136,7 @@ impl Equations {
             .collect()
     }
 
-    /// Factors of the damped matrix with these weights (n); none where there are none.
+    /// Factors of the damped matrix with these weights (n); `None` if there are none.
     fn factors(&self, weights: &[f64]) -> Option<SparseLu> {
         let (n, m) = (weights.len(), self.rows.len());
         let mut entries: Vec<(usize, usize)> = (0..n + m).map(|k| (k, k)).collect();

@@ -100,7 +100,7 @@ fn turning_times_of_a_wave() {
     }
 }
 
-/// Ten million periods: only those that are asked for are looked for.
+/// Ten million periods: only those that are requested are looked for.
 #[test]
 fn turning_times_of_a_fast_wave_are_those_of_every_period() {
     let wave = Law::Harmonic {

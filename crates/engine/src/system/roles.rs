@@ -93,7 +93,7 @@ pub enum ForceRole {
         between: [BodyId; 2],
         /// Its length or angle.
         measured: Measured,
-        /// Its columns are among the results without being asked for.
+        /// Its columns are among the results without being requested.
         is_actuator: bool,
     },
     /// A cable, of which this is the first stretch.
@@ -121,7 +121,7 @@ pub enum ForceRole {
     Torque {
         /// [N·m]
         value: Strength,
-        /// The body, and the one that exerts the torque; none where it comes from outside.
+        /// The body, and the one that exerts the torque; `None` if it comes from outside.
         between: Option<[BodyId; 2]>,
     },
 }
@@ -144,7 +144,7 @@ impl ForceRole {
         }
     }
 
-    /// The bodies that exert the force on each other; none where it comes from outside.
+    /// The bodies that exert the force on each other; `None` if it comes from outside.
     pub(crate) fn between(&self) -> Option<[BodyId; 2]> {
         match self {
             ForceRole::Spring { between, .. }

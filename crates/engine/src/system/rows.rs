@@ -174,7 +174,7 @@ impl System {
     }
 
     /// The system of some moving bodies and joints alone, which hold nothing else: no drivers, forces or initial values; `from`,
-    /// which may move in the whole, is its ground. None where a joint is more than geometry between two bodies.
+    /// which may move in the whole, is its ground. `None` if a joint is more than geometry between two bodies.
     pub(crate) fn part(&self, from: BodyId, bodies: &[BodyId], joints: &[usize]) -> Option<System> {
         let id = |body: BodyId| {
             let index = bodies.iter().position(|own| *own == body);

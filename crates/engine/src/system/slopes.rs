@@ -29,7 +29,10 @@ impl Slopes {
         let place = |pair: &Slope| pair.map(|(body, axis)| system.layout.column(body, axis));
         let of_forces = system.forces.iter().map(|force| force.slopes());
         let of_contacts = system.contacts.iter().map(|contact| contact.slopes());
-        let of_blocks = system.blocks.iter().map(|block| block.constraint.bends());
+        let of_blocks = system
+            .blocks
+            .iter()
+            .map(|block| block.constraint.curvature_pattern());
         let forces: Vec<Vec<Slope>> = of_forces.chain(of_contacts).collect();
         let bends: Vec<Vec<Slope>> = of_blocks.collect();
         Slopes {

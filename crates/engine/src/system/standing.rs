@@ -50,7 +50,7 @@ impl Standing {
         let bends = |block: &Block| {
             block
                 .constraint
-                .bends()
+                .curvature_pattern()
                 .iter()
                 .map(|p| p.map(column))
                 .collect()
@@ -134,7 +134,7 @@ impl Standing {
             let column = system.layout.column(body, axis)?;
             (!self.columns[column]).then_some(column)
         };
-        let bends = block.constraint.bends();
+        let bends = block.constraint.curvature_pattern();
         let pairs = bends
             .iter()
             .filter_map(|[a, b]| Some([moving(*a)?, moving(*b)?]));

@@ -58,7 +58,7 @@ impl System {
         timed.map(|timed| timed.contact.0)
     }
 
-    /// The system in which all joints are open that may be; none where there are none.
+    /// The system in which all joints are open that may be; `None` if there are none.
     pub(crate) fn opened(&self) -> Option<System> {
         let clasps = self.contacts.iter().zip(self.contact_rows.iter());
         let clasps = clasps.filter(|(pair, _)| pair.clasp().is_some());

@@ -193,7 +193,7 @@ mod tests {
             .map(|r| square(*r).sqrt())
             .fold(0.0, f64::max);
         assert!(worst < 1e-11, "{worst:e}");
-        // What has no pivot is told, and factors that are sound follow.
+        // What has no pivot is reported, and factors that are sound follow.
         assert!(!complex.factor(&lu, &vec![[0.0; 2]; values.len()]));
         assert!(complex.factor(&lu, &values));
     }

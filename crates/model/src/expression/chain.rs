@@ -37,7 +37,7 @@ pub struct Room {
 }
 
 impl Parameters {
-    /// Their chain; none where one has no value.
+    /// Their chain; `None` if one has no value.
     pub fn chain(&self) -> Option<Chain> {
         let (order, waits) = self.order();
         if waits.iter().any(|waiting| *waiting > 0) {
@@ -67,7 +67,7 @@ impl Parameters {
         self.names.iter().position(|own| own == name)
     }
 
-    /// The program of an expression; none where it names no parameter.
+    /// The program of an expression; `None` if it names no parameter.
     pub fn program(&self, text: &str) -> Option<Program> {
         let expression = self.parse(text).ok()?;
         expression.parameters().next()?;

@@ -1,7 +1,7 @@
 //! Derivatives of what a file's expressions give, by the deviations of all parameters.
 //!
 //! Each parameter may deviate on its own: p_k = f_k(parameters) + d_k, also one that follows from others. The derivatives
-//! are those by d_k, at the deviations asked for, in SI.
+//! are those by d_k, at the deviations requested, in SI.
 
 use super::dual::Dual;
 use super::number::{Number, Real};
@@ -42,7 +42,7 @@ pub struct Recorded {
     pub factor: f64,
 }
 
-/// Values with derivatives, none where there is a reason in its place.
+/// Values with derivatives, `None` if there is a reason in its place.
 struct KnownValues<T> {
     values: Vec<Option<Quantity<Dual<T>>>>,
     reasons: Vec<Option<String>>,
@@ -83,7 +83,7 @@ impl Parameters {
         KnownValues { values, reasons }
     }
 
-    /// A quantity; none where no parameter gives it.
+    /// A quantity; `None` if no parameter gives it.
     fn leaf<T: Real>(&self, recorded: &Recorded, known: &KnownValues<T>) -> Option<Leaf<T>> {
         // what can't be read was complained about
         let expression = self.parse(&recorded.text).ok()?;

@@ -2,7 +2,7 @@
 
 use super::number::{Binary, Number, Unary};
 
-/// A number, none where only a run gives it.
+/// A number, `None` if only a run gives it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Guess(pub Option<f64>);
 

@@ -149,7 +149,7 @@ impl Expression {
         steps.collect::<Option<_>>().map(Program)
     }
 
-    /// Its value; none where a parameter has none, which is complained about there.
+    /// Its value; `None` if a parameter has none, which is complained about there.
     ///
     /// # Errors
     /// Dimensions that do not go together, division by zero, and the like.

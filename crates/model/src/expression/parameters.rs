@@ -291,7 +291,7 @@ impl Parameters {
         (order, waits)
     }
 
-    /// The value of an expression somewhere in the model; none where a parameter has none.
+    /// The value of an expression somewhere in the model; `None` if a parameter has none.
     ///
     /// # Errors
     /// What is wrong with it, and where.

@@ -57,7 +57,7 @@ impl Fault {
         self
     }
 
-    /// What is told of it at a path.
+    /// What is reported about it at a path.
     pub fn at(self, path: impl Into<String>) -> Complaint {
         Complaint {
             hint: self.hint,

@@ -1,4 +1,4 @@
-//! Outputs whose accuracy is asked for: their columns, points, positions and limits.
+//! Outputs whose accuracy is requested: their columns, points, positions and limits.
 
 use super::Rules;
 use super::names::Names;

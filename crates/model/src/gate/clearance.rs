@@ -110,7 +110,7 @@ impl Words<'_, '_> {
         !self.rules.holes.is_empty() && self.rules.holes.has(&format!("{}.{key}", self.path))
     }
 
-    /// A number, none where it is missing or faulty.
+    /// A number, `None` if it is missing or faulty.
     fn number(&self, key: &str, number: Option<f64>) -> Option<f64> {
         number.filter(|_| !self.is_hole(key))
     }

@@ -26,7 +26,7 @@ fn order(words: [(&str, Order); 2], word: &str) -> Option<Order> {
 }
 
 impl Catalogue {
-    /// What a name stands for; none where nothing that moves is called so.
+    /// What a name stands for; `None` if nothing that moves is called so.
     pub(crate) fn argument(&self, name: &str) -> Option<Argument> {
         if name == "t" || name == "time" {
             return Some(Argument::Time);
@@ -103,7 +103,7 @@ impl Catalogue {
         self.springs.iter().chain(&self.cables)
     }
 
-    /// Whether a spring is one of torsion; none where there is no such spring.
+    /// Whether a spring is one of torsion; `None` if there is no such spring.
     pub(crate) fn spring_turns(&self, name: &str) -> Option<bool> {
         let spring = self.stretching().find(|one| one.name == name)?;
         Some(spring.turns)

@@ -39,7 +39,7 @@ pub enum List {
     Wear(usize),
 }
 
-/// What is told of each entry of a list.
+/// What is reported about each entry of a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Item {
     /// When it begins \[s\].
@@ -63,7 +63,7 @@ pub enum Item {
 }
 
 impl Item {
-    /// What is told of contacts.
+    /// What is reported about contacts.
     pub const OF_CONTACTS: [Item; 8] = [
         Item::Time,
         Item::Duration,

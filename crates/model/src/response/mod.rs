@@ -25,7 +25,7 @@ pub struct Response {
     pub value: String,
     /// Lower and upper limit, in SI.
     pub limits: Option<[f64; 2]>,
-    /// The unit in which it is shown; of no account for anything else.
+    /// The unit in which it is shown; ignored for anything else.
     pub unit: Option<String>,
     /// The parameters that the expression names.
     #[serde(default)]

@@ -83,7 +83,7 @@ fn of(table: &[(&str, Dimension)], word: &str) -> Option<Powers> {
 }
 
 impl JointNames {
-    /// The last words of columns that it has where they are asked for.
+    /// The last words of columns that it has if they are requested.
     fn shown(&self) -> impl Iterator<Item = &'static str> {
         let turn = TURN.into_iter().filter(|_| self.turns);
         let slide = SLIDE.into_iter().filter(|_| self.slides);

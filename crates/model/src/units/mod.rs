@@ -121,7 +121,7 @@ impl Unit {
         }
     }
 
-    /// A number of this unit in another one of the same dimension; none where that is not so.
+    /// A number of this unit in another one of the same dimension; `None` if it is not.
     pub fn convert(self, number: f64, to: Unit) -> Option<f64> {
         (self.powers == to.powers).then(|| number * (self.factor() / to.factor()))
     }

@@ -65,7 +65,7 @@ impl Walk<'_> {
                 })))
             }
             Ok(None) => None,
-            // what is wrong with a table is told there
+            // what is wrong with a table is reported there
             Err(_) if self.has_faulty_function() => Some(None),
             Err(_) if self.parameters.evaluate(text).is_ok() => None,
             Err(Misfit { at, fault }) if names_a_part(text) || self.names_time(text) => {
@@ -116,7 +116,7 @@ impl Walk<'_> {
                 Some(Tree::of(&Event { event, parameters }))
             }
             Ok(None) => None,
-            // what is wrong with a table is told there
+            // what is wrong with a table is reported there
             Err(_) if self.has_faulty_function() => None,
             Err(Misfit { at, fault }) => {
                 // The sides of an event are compared by their difference.
@@ -128,7 +128,7 @@ impl Walk<'_> {
         }
     }
 
-    /// An expression of what moves, and the parameters that it names; none where one of these has no value.
+    /// An expression of what moves, and the parameters that it names; `None` if one of these has no value.
     pub(super) fn moving(&mut self, text: &str) -> Result<Moved, Misfit> {
         let root = &self.source.root;
         let (tables, states) = (&self.tables, &self.states);

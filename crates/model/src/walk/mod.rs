@@ -153,7 +153,7 @@ pub struct Walk<'a> {
     states: Vec<Early>,
     /// The names of results, once they were needed.
     catalogue: Option<Catalogue>,
-    /// The expressions that were met, where that is asked for.
+    /// The expressions that were met, if that is requested.
     record: Option<Vec<Recorded>>,
 }
 

@@ -60,7 +60,7 @@ impl Walk<'_> {
         self.tolerances.insert(name.to_owned(), tolerance);
     }
 
-    /// How parts are spread, none where that is faulty.
+    /// How parts are spread, `None` if that is faulty.
     fn distribution(&mut self, node: &Node, value: &Tree, path: &str) -> Option<Distribution> {
         let sigma = value.get("sigma").and_then(Tree::number);
         let word = value.get("distribution").and_then(Tree::text);

@@ -149,7 +149,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Keeps an expression and where it stands, if that is asked for.
+    /// Keeps an expression and where it stands, if that is requested.
     pub(super) fn record(&mut self, text: &str, path: &str, factor: impl FnOnce() -> f64) {
         if let Some(record) = &mut self.record {
             record.push(Recorded {

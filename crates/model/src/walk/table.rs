@@ -19,7 +19,7 @@ use crate::words;
 pub(super) struct EntryColumn {
     /// Its dimension.
     pub powers: Powers,
-    /// The unit of plain numbers; none where these are not known to be anything but zero.
+    /// The unit of plain numbers; `None` if these are not known to be anything but zero.
     pub plain: Option<Unit>,
 }
 
@@ -72,7 +72,7 @@ impl Walk<'_> {
         Some(Tree::of(&table))
     }
 
-    /// A table over what moves, as a formula; its fault is told.
+    /// A table over what moves, as a formula; its fault is reported.
     pub(super) fn table_of(&mut self, node: &Node, wanted: Dimension, path: &str) -> Option<Tree> {
         let of = node.get("of")?;
         let before = self.faults();

@@ -147,7 +147,7 @@ impl Units {
         warnings
     }
 
-    /// What a measure wants here; none where that is not known.
+    /// What a measure wants here; `None` if that is not known.
     pub fn wanted(&self, measure: Measure, driven: Driven) -> Option<Wanted> {
         match (measure, driven) {
             (Measure::Of(dimension), _) => Some(self.derivative(dimension, 0)),

@@ -21,7 +21,7 @@ pub struct Rows {
 pub struct Row<'a> {
     /// Its number, counted from 0.
     pub variant: u64,
-    /// Why it has no result; none where all went well.
+    /// Why it has no result; `None` if all went well.
     pub reason: Option<&'a str>,
     /// What was varied.
     pub inputs: &'a [f64],

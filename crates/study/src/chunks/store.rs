@@ -96,7 +96,7 @@ impl Store {
         self.replace(chunk, self.begun(chunk), rows)
     }
 
-    /// The first rows of a chunk that were kept; none where there are no sound ones of this study.
+    /// The first rows of a chunk that were kept; `None` if there are no sound ones of this study.
     pub fn kept(&self, chunk: u64) -> Rows {
         let none = || self.rows(chunk);
         let Ok(bytes) = fs::read(self.begun(chunk)) else {
@@ -180,7 +180,7 @@ impl Store {
         }
     }
 
-    /// The rows of a chunk; none where it is not there.
+    /// The rows of a chunk; `None` if it is not there.
     ///
     /// # Errors
     /// When it is damaged, or of another study, version or plan.

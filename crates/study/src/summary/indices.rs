@@ -111,7 +111,7 @@ impl SobolIndices {
         self.points += 1;
     }
 
-    /// The indices; none where nothing scatters. The seed is that of the study.
+    /// The indices; `None` if nothing scatters. The seed is that of the study.
     pub fn indices(&self, seed: u64) -> Option<Indices> {
         let groups: Vec<Plain> = self.groups.iter().map(Plain::of).collect();
         let one_each = vec![1.0; groups.len()];

@@ -83,7 +83,7 @@ impl Moments {
         Some((self.second.value().max(0.0) / free as f64).sqrt())
     }
 
-    /// The skewness; none where nothing scatters.
+    /// The skewness; `None` if nothing scatters.
     pub fn skewness(&self) -> Option<f64> {
         let second = self.second.value();
         (second > 0.0)

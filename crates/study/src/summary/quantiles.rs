@@ -11,7 +11,7 @@
 
 use super::histogram::{Bins, Histogram};
 
-/// Values that are kept as they are, unless another limit is asked for: 8 MB.
+/// Values that are kept as they are, unless another limit is requested: 8 MB.
 pub const EXACT: usize = 1_000_000;
 
 /// Cells that hold values, at most.

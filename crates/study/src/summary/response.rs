@@ -139,7 +139,7 @@ impl Response {
         }
     }
 
-    /// C_p and C_pk; none where nothing scatters or there is no limit.
+    /// C_p and C_pk; `None` if nothing scatters or there is no limit.
     fn capability(&self) -> (Option<f64>, Option<f64>) {
         let sigma = self.moments.deviation().filter(|&sigma| sigma > 0.0);
         let Some((mean, sigma)) = self.moments.mean().zip(sigma) else {

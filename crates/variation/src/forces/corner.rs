@@ -33,7 +33,7 @@ struct Met {
 }
 
 impl Corner<'_, '_> {
-    /// The force farthest to a side (±1) among the corners; none where its position is not reached.
+    /// The force farthest to a side (±1) among the corners; `None` if its position is not reached.
     pub fn farthest(&mut self, side: f64) -> Option<Farthest> {
         let sources = self.systems.sources;
         let by: Vec<Pair> = self

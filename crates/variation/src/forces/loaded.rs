@@ -124,7 +124,7 @@ pub(super) struct Loaded<'s> {
 }
 
 impl<'s> Loaded<'s> {
-    /// None where its equations have no solution near the pose.
+    /// `None` if its equations have no solution near the pose.
     pub fn new(systems: &Systems<'s>, system: &'s System, posed: &Posed) -> Option<Self> {
         let q = carried_over(&systems.nominal, system, &posed.stand.q);
         Some(Loaded {

@@ -26,7 +26,7 @@ mod slopes;
 pub(super) use loaded::{Force, Owner};
 
 use super::answer::{Contribution, OutputAccuracy, PoseAccuracy};
-use super::displaced::Stand;
+use super::displaced::NominalPose;
 use super::poses::Poses;
 use super::source::{Pair, Room, Source, length};
 use super::statistics::{Pins, Scatter, capability};
@@ -38,7 +38,7 @@ use linkdyn_engine::system::System;
 use loaded::{Carried, Loaded, Systems, Without};
 use slopes::{Slope, slopes};
 
-/// Makes the system with parameters (in the order of their sources) and zones (in theirs) off; none where that is no legal
+/// Makes the system with parameters (in the order of their sources) and zones (in theirs) off; `None` if that is no legal
 /// model.
 pub(super) type Making<'c> = dyn Fn(&[f64], &[[f64; 2]]) -> Option<System> + Sync + 'c;
 
@@ -59,7 +59,7 @@ pub(super) struct Question<'q> {
 
 /// A pose, and the forces that are asked about there.
 pub(super) struct Posed {
-    pub stand: Stand,
+    pub stand: NominalPose,
     /// Driver and value that say which pose it is, whatever its motion.
     pub exact: Option<(usize, f64)>,
     /// With the numbers of their outputs.
@@ -69,7 +69,7 @@ pub(super) struct Posed {
 /// The poses that are asked about: those of forces at a value of a driver (`held`), and all instants.
 pub(super) fn poses(
     question: &Question,
-    held: Vec<Option<Stand>>,
+    held: Vec<Option<NominalPose>>,
     instants: &[OutputInstant],
     way: &mut Poses,
 ) -> Vec<Posed> {

@@ -133,7 +133,7 @@ fn along(
     tables
 }
 
-/// Forces by pose with a number of a source off; none where there is no balance, or no need of it.
+/// Forces by pose with a number of a source off; `None` if there is no balance, or no need of it.
 fn values(
     systems: &mut Systems,
     poses: &[Posed],

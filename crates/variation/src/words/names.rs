@@ -48,7 +48,7 @@ impl<'a> Names<'a> {
         })
     }
 
-    /// The output that a column's name stands for; none where no position has it.
+    /// The output that a column's name stands for; `None` if no position has it.
     pub fn column(&self, system: &System, name: &str) -> Option<Output> {
         let (owner, quantity) = name.rsplit_once('.')?;
         let along = match quantity {

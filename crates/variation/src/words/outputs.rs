@@ -10,7 +10,7 @@ use linkdyn_model::error::Complaint;
 use linkdyn_model::{AccuracyOutput, Measured, Model, nearest};
 use linkdyn_output::Channel;
 
-/// What is asked for.
+/// The request.
 #[derive(Default)]
 pub(super) struct Outputs {
     pub positions: Vec<Wanted<Output>>,
@@ -18,7 +18,7 @@ pub(super) struct Outputs {
     pub forces: Vec<(usize, Wanted<Force>)>,
 }
 
-/// The outputs that are asked for.
+/// The outputs requested.
 pub(super) fn wanted(
     model: &Model,
     system: &System,

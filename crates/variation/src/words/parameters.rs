@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// What steps leave out may be this part of them and is round-off.
 const ROUND_OFF: f64 = 1e-13;
 
-/// The model with parameters that deviate (index, SI); none where that is no legal model.
+/// The model with parameters that deviate (index, SI); `None` if that is no legal model.
 pub type Deviating<'p> = dyn Fn(&[(usize, f64)]) -> Option<Checked> + Sync + 'p;
 
 /// The parameters of a model: what follows from them, and the model with other values of theirs.
@@ -100,7 +100,7 @@ impl<'a> Followed<'a> {
 
 /// What is known of how far steps of dimensions are off the derivatives, within the tolerances of the parameters.
 pub(super) struct Straightness {
-    /// Bounds of what the steps leave out, by dimension: the mean of a derivative along the way is within its enclosure. None where
+    /// Bounds of what the steps leave out, by dimension: the mean of a derivative along the way is within its enclosure. `None` if
     /// there is no enclosure, or a dimension is no multiple of what the file says.
     pub slack: Option<Vec<f64>>,
     /// By parameter, whether it has a part in a quantity whose derivatives change by more than round-off, or in a dimension that is no

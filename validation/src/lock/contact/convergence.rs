@@ -1,7 +1,7 @@
 //! What settles as the tolerance of the integration goes down.
 //!
 //! An impact amplifies what two runs differ by, and a stroke has hundreds of impacts: runs at two tolerances part soon, and what can
-//! settle after that are statistics. So three things are told: how contacts converge before runs part ([`super::early`]), on what part
+//! settle after that are statistics. So three things are reported: how contacts converge before runs part ([`super::early`]), on what part
 //! of the outputs two runs agree, and the paper's statistics at each tolerance.
 
 use super::super::models::{Quantity, RADII, STEPS, Stroke};

@@ -2,7 +2,7 @@
 //!
 //! The massless link has no limit as the output step goes down (see [`super`]). Contact is a differential equation, whose
 //! solution does not depend on where outputs are; what of it converges with the tolerance of the integration, which branch it
-//! follows beyond the change point, and what becomes of the paper's claims C2 to C6 is told here. The rules of the claims
+//! follows beyond the change point, and what becomes of the paper's claims C2 to C6 is reported here. The rules of the claims
 //! are those of [`super::claims`], tried at every tolerance.
 
 pub mod branch;

@@ -124,7 +124,7 @@ impl Strokes {
         all.chain(single).collect()
     }
 
-    /// Every run with what was asked for.
+    /// Every run with what was requested.
     pub fn named(&self) -> impl Iterator<Item = (Contact, &Stroke)> {
         Self::requests()
             .into_iter()

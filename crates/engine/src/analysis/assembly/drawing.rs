@@ -15,7 +15,7 @@ use std::sync::Arc;
 const ON: f64 = 1e-5;
 
 /// The drawing with its joints closed, drivers and initial values where it has them or, where the joints do not close there, wherever
-/// they close; none where they do not.
+/// they close; `None` if they do not.
 pub(super) fn closed(system: &System, inputs: &Inputs, drawn: &Values) -> Option<Vec<f64>> {
     let mut inputs = inputs.clone();
     for (jet, off) in inputs.drive.iter_mut().zip(&drawn.drivers) {
@@ -49,7 +49,7 @@ pub(super) struct Left {
 }
 
 /// A regular position beside the drawing at `q` where that is singular, on the branch that is meant and to the side where the start
-/// is; none where it is regular.
+/// is; `None` if it is regular.
 ///
 /// # Errors
 /// What to say where no branch leads to the start, or the branch that is meant is not known.

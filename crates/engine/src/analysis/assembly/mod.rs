@@ -7,10 +7,10 @@ mod diagnosis;
 mod drawing;
 mod limits;
 mod meeting;
+mod messages;
 mod mobility;
 mod overlap;
 mod ranks;
-mod told;
 mod velocities;
 mod way;
 
@@ -96,7 +96,7 @@ impl Found {
         }
     }
 
-    /// One that is reached from the drawing; none where it does not meet initial values that could not lead the way.
+    /// One that is reached from the drawing; `None` if it does not meet initial values that could not lead the way.
     fn reached(system: &System, inputs: &Inputs, reached: Reached, before: u64) -> Option<Self> {
         let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
         let closed = close(system, &all, &reached.q, inputs);

@@ -6,8 +6,8 @@
 //! the singular positions on it.
 
 use super::drawing;
+use super::messages;
 use super::ranks::with_starts;
-use super::told;
 use crate::analysis::branch::DOUBTFUL;
 use crate::analysis::control::Control;
 use crate::analysis::driven;
@@ -116,7 +116,7 @@ pub(super) fn from_drawing(system: &System, inputs: &Inputs, found: Option<&[f64
         return Way::Nowhere;
     }
     let Some(mut q) = drawing::closed(system, inputs, &drawn) else {
-        return Way::Ended(told::undrawn(system, &drawn));
+        return Way::Ended(messages::undrawn(system, &drawn));
     };
     let mut ranks = with_starts(system, &q, inputs);
     let mut warnings = Vec::new();
@@ -149,12 +149,12 @@ pub(super) fn from_drawing(system: &System, inputs: &Inputs, found: Option<&[f64
             }
         }
     }
-    Way::Ended(told::stuck(system, &drawn))
+    Way::Ended(messages::stuck(system, &drawn))
 }
 
 /// What is said where the end of the way does not meet initial values that could not lead it.
 pub(super) fn unmet(system: &System, inputs: &Inputs) -> String {
-    told::stuck(system, &Values::at(system, &system.guess, inputs))
+    messages::stuck(system, &Values::at(system, &system.guess, inputs))
 }
 
 /// A mechanism that is led to its start.
@@ -177,7 +177,7 @@ enum Followed {
 }
 
 impl<'s> Lead<'s> {
-    /// From `q`, at which the joints close; none where drivers hold what is not free.
+    /// From `q`, at which the joints close; `None` if drivers hold what is not free.
     fn new(
         system: &'s System,
         inputs: &Inputs,
@@ -234,13 +234,13 @@ impl<'s> Lead<'s> {
         };
         let way = self.end / self.system.scale.time;
         if way > FARTHEST {
-            return ended(q, told::too_far(self.system, &self.values));
+            return ended(q, messages::too_far(self.system, &self.values));
         }
         let led = &self.led;
         let q = q.to_vec();
         let mut driven = match Driven::new(led, &q, &Inputs::at_time(led, 0.0)) {
             Ok(driven) => driven,
-            Err(_) => return ended(&q, told::stuck(self.system, &self.values)),
+            Err(_) => return ended(&q, messages::stuck(self.system, &self.values)),
         };
         // One value is the way's parameter itself, several go by time.
         let (first, last) = match &led.drivers[..] {
@@ -250,7 +250,7 @@ impl<'s> Lead<'s> {
         let range = (first.min(last), first.max(last));
         let path = driven::path(&mut driven, (first, &q), range, &Control::default());
         let Ok(path) = path else {
-            return ended(&q, told::stuck(self.system, &self.values));
+            return ended(&q, messages::stuck(self.system, &self.values));
         };
         let way = Ends {
             first,
@@ -293,7 +293,7 @@ impl<'s> Lead<'s> {
         let first = passed.min_by(|a, b| way.part(a.s).total_cmp(&way.part(b.s)));
         let said = first.map(|position| {
             let place = (position, way.part(position.s));
-            told::passed(self.system, &self.led, &self.values, place)
+            messages::passed(self.system, &self.led, &self.values, place)
         });
         said.into_iter().collect()
     }
@@ -307,9 +307,9 @@ impl<'s> Lead<'s> {
         match dead {
             Some(position) => {
                 let place = (position, way.part(position.s));
-                told::ended(self.system, &self.led, &self.values, place)
+                messages::ended(self.system, &self.led, &self.values, place)
             }
-            None => told::stuck(self.system, &self.values),
+            None => messages::stuck(self.system, &self.values),
         }
     }
 }

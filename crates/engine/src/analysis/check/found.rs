@@ -21,7 +21,7 @@ pub struct Check {
     pub loop_bodies: Vec<Vec<String>>,
     /// The joints of each loop, in order.
     pub loop_joints: Vec<Vec<String>>,
-    /// Moving bodies, with x, y, angle of their frames as they assemble [m, m, rad]; none where they do not.
+    /// Moving bodies, with x, y, angle of their frames as they assemble [m, m, rad]; `None` if they do not.
     pub poses: Vec<(String, [f64; 3])>,
     /// With ideal pins.
     pub mobility: Mobility,

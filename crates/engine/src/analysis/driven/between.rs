@@ -18,7 +18,7 @@ pub struct Between<'s> {
 }
 
 impl<'s> Between<'s> {
-    /// Of a motion; none where its rows depend on the ones before, as with massless links.
+    /// Of a motion; `None` if its rows depend on the ones before, as with massless links.
     pub fn new(driven: Driven<'s>, path: Path, reactions: bool) -> Option<Self> {
         let system: &System = driven.system;
         (system.links == 0).then(|| Between {

@@ -23,7 +23,7 @@ use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
 use outputs::Outputs;
 pub use passages::{passages, range};
 
-/// What a prescribed motion is asked for.
+/// The settings of a prescribed motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Settings {
     /// When there are outputs.

@@ -56,7 +56,7 @@ impl<'s> Simulation<'s> {
         let starts = flow.system().states.iter().map(|own| own.start);
         let own = state.states_mut().iter_mut();
         own.zip(starts).for_each(|(own, start)| *own = start);
-        flow.hold_sides();
+        flow.freeze_branches();
         let mut jams = Jams::new();
         let (has_timed, leans) = (!flow.system().timed.is_empty(), leans(&flow));
         let mut start = |begin: fn(&mut Impulses) -> Result<(), Fault>| {

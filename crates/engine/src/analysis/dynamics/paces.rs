@@ -62,7 +62,7 @@ impl Paces {
         self.taken += 1;
     }
 
-    /// A piece begins: the length of its first step; none where nothing is known.
+    /// A piece begins: the length of its first step; `None` if nothing is known.
     pub fn begin(&mut self, begun: Begun) -> Option<f64> {
         let known = self.first[begun.contact][begun.change as usize];
         (self.piece, self.taken) = (Some(begun), 0);

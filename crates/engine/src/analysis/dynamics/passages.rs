@@ -157,7 +157,7 @@ impl Passages {
     }
 }
 
-/// When the last step passes a change point, before `until` \[s\]; none where it does not.
+/// When the last step passes a change point, before `until` \[s\]; `None` if it does not.
 fn located(
     step: &mut LastStep,
     [from, to]: [f64; 2],

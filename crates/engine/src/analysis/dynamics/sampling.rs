@@ -47,7 +47,7 @@ impl Sampling {
         a.copy_from_slice(equations.acceleration());
         force.copy_from_slice(equations.force());
         equations.reactions(lambda);
-        // Of a sustained contact the friction is told with the contact.
+        // Of a sustained contact the friction is reported with the contact.
         let told = dependent_forces.len();
         dependent_forces.copy_from_slice(&equations.dependent_forces().sizes()[..told]);
     }

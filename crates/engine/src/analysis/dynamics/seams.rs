@@ -32,7 +32,7 @@ impl Flow<'_> {
         carries && !touches(&self.memories()[contact])
     }
 
-    /// The piece to which the touch of a piece goes over, at whose end the tip is; none where the outline does not go on.
+    /// The piece to which the touch of a piece goes over, at whose end the tip is; `None` if the outline does not go on.
     pub fn next_piece(&self, contact: usize) -> Option<usize> {
         let at = self.equations.kinematics();
         let mut here = contact;

@@ -1,4 +1,4 @@
-//! What a run of forward dynamics is asked for.
+//! The settings of a run of forward dynamics.
 
 use crate::analysis::channels::Contents;
 use crate::integrate::Method;

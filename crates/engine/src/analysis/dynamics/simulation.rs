@@ -239,7 +239,7 @@ impl<'s> Simulation<'s> {
         if let Some(force) = switching {
             self.switches.note(force, time, self.flow.system())?;
         }
-        self.flow.hold_sides();
+        self.flow.freeze_branches();
         for (contact, closes) in fired {
             match closes {
                 true => self.impulses(time).close(contact)?,
@@ -304,11 +304,11 @@ impl<'s> Simulation<'s> {
         }
         if let Some(force) = self.flow.switching() {
             self.switches.note(force, time, self.flow.system())?;
-            self.flow.hold_sides();
+            self.flow.freeze_branches();
             self.outside
                 .note(self.flow.system(), &self.flow.equations.kinematics());
         } else if self.flow.turns_over() {
-            self.flow.hold_sides();
+            self.flow.freeze_branches();
         }
         match begun {
             Some((contact, change)) => {

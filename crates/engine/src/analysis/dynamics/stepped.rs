@@ -8,8 +8,8 @@ use super::scene::Scene;
 use super::settings::Settings;
 use super::simulation::Simulation;
 use super::start::Start;
-use crate::analysis::beside::{Beside, Following};
 use crate::analysis::control::{Control, Stop};
+use crate::analysis::derived_columns::{DerivedColumns, DerivedSelection};
 use crate::analysis::rows::Columns;
 use crate::system::{ForceLaw, Pushes, System};
 use linkdyn_model::error::Complaint;
@@ -46,7 +46,7 @@ struct Kept<'s> {
     now: Simulation<'s>,
     snapshots: Vec<(Weak<()>, Simulation<'s>)>,
     sampling: Sampling,
-    beside: Beside<'s>,
+    beside: DerivedColumns<'s>,
 }
 
 impl Stepped {
@@ -58,7 +58,7 @@ impl Stepped {
         system: &System,
         start: Start,
         settings: &Settings,
-        following: &Following,
+        following: &DerivedSelection,
     ) -> Result<Self, Stop> {
         let mut system = system.clone();
         system.is_pushed = true;
@@ -73,7 +73,7 @@ impl Stepped {
                 now: scene.begin(settings, end)?,
                 snapshots: Vec::new(),
                 sampling: Sampling::new(system, settings.contents, 1),
-                beside: Beside::new(system, &columns, following),
+                beside: DerivedColumns::new(system, &columns, following),
             })
         })?;
         let mut stepped = Stepped {

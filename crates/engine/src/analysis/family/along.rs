@@ -2,8 +2,8 @@
 
 use super::Member;
 use super::around::Around;
-use super::beside::place;
 use super::needs::Needs;
+use super::perturbed::place;
 use super::slopes::{Along, Depth, Slopes, Wanted};
 use crate::analysis::question::Kind;
 use crate::analysis::sample::Sample;
@@ -12,7 +12,7 @@ use crate::system::{Inputs, System};
 use linkdyn_linear::hermite::Node;
 use linkdyn_output::{BodyQuantity, Channel, Trajectory};
 
-/// The coordinates at the rows of a motion; none where a row or a column is missing.
+/// The coordinates at the rows of a motion; `None` if a row or a column is missing.
 fn nodes(system: &System, motion: &Trajectory) -> Option<Vec<Node>> {
     let time = motion.find(Channel::Time)?.index();
     let column = |body: usize, quantity: BodyQuantity| {
@@ -70,7 +70,7 @@ fn nodes(system: &System, motion: &Trajectory) -> Option<Vec<Node>> {
 impl Member<'_> {
     /// Derivatives of the columns that responses need by the parameters, at times within a motion with these values, whose rows
     /// have all columns: for each time and each column in the order of [`Responses::columns`], one for each parameter, NaN where
-    /// it is not known. None where the motion is not one that drivers prescribe.
+    /// it is not known. `None` if the motion is not one that drivers prescribe.
     ///
     /// [`Responses::columns`]: crate::analysis::responses::Responses::columns
     pub fn slopes_along(

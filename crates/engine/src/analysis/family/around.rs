@@ -49,7 +49,7 @@ impl Around {
         all
     }
 
-    /// Around values along parameter `k`, which matters over some length; none where one of these mechanisms can't be made by
+    /// Around values along parameter `k`, which matters over some length; `None` if one of these mechanisms can't be made by
     /// putting in numbers.
     pub fn new(
         mechanisms: &mut Mechanisms,

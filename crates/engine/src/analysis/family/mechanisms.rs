@@ -23,7 +23,7 @@ impl<'f> Mechanisms<'f> {
         }
     }
 
-    /// The model with values; none where only reading can tell what is wrong with it.
+    /// The model with values; `None` if only reading can tell what is wrong with it.
     pub fn model(&mut self, values: &[f64]) -> Option<&Checked> {
         self.substitution.put(values, &mut self.place)
     }

@@ -31,10 +31,10 @@
 
 mod along;
 mod around;
-mod beside;
 mod ended;
 mod mechanisms;
 mod needs;
+mod perturbed;
 mod resting;
 mod slopes;
 mod stencil;
@@ -44,12 +44,12 @@ use super::control::Control;
 use super::question::Kind;
 use super::responses::Responses;
 use super::run::Prepared;
-use beside::Beside;
 pub use ended::Ended;
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Given, Loaded, Source, Substitution};
 use mechanisms::Mechanisms;
 use needs::Needs;
+use perturbed::PerturbedSolver;
 use resting::Resting;
 use track::{Changes, Track};
 
@@ -68,7 +68,7 @@ pub struct Family {
 /// How variants are worked out.
 enum Ways {
     /// Beside the nominal mechanism, whose motion drivers prescribe.
-    Beside(Box<Track>),
+    Perturbed(Box<Track>),
     /// At rest, by putting in numbers.
     AtRest(Needs),
     /// As any model is run.
@@ -84,7 +84,7 @@ pub struct Member<'f> {
 
 /// One thread's share of a way.
 enum Way<'f> {
-    Beside(Box<Beside<'f>>),
+    Perturbed(Box<PerturbedSolver<'f>>),
     AtRest(Box<Resting<'f>>),
     Alone,
 }
@@ -102,7 +102,7 @@ impl Ways {
             (true, _) => None,
             (false, true) => Needs::new(prepared).map(Ways::AtRest),
             (false, false) => {
-                Track::new(prepared, changes).map(|track| Ways::Beside(Box::new(track)))
+                Track::new(prepared, changes).map(|track| Ways::Perturbed(Box::new(track)))
             }
         };
         way.unwrap_or(Ways::Alone)
@@ -162,7 +162,7 @@ impl Family {
 
     /// Whether variants are found beside the nominal mechanism.
     pub fn is_tracked(&self) -> bool {
-        matches!(self.ways, Ways::Beside(_))
+        matches!(self.ways, Ways::Perturbed(_))
     }
 
     /// Begins, for one thread.
@@ -174,7 +174,9 @@ impl Family {
             family: self,
             mechanisms: mechanisms.map(|substitution| Mechanisms::new(substitution, &self.nominal)),
             way: match &self.ways {
-                Ways::Beside(track) => Way::Beside(Box::new(Beside::new(track, system, responses))),
+                Ways::Perturbed(track) => {
+                    Way::Perturbed(Box::new(PerturbedSolver::new(track, system, responses)))
+                }
                 Ways::AtRest(needs) => Way::AtRest(Box::new(Resting::new(needs, responses))),
                 Ways::Alone => Way::Alone,
             },
@@ -233,20 +235,20 @@ impl Member<'_> {
         };
         let what = (values, lengths);
         match &mut self.way {
-            Way::Beside(beside) if beside.has(values) => {
-                beside.differentiate(what, mechanisms, gradient);
+            Way::Perturbed(perturbed) if perturbed.has(values) => {
+                perturbed.differentiate(what, mechanisms, gradient);
             }
             Way::AtRest(resting) if resting.has(values) => {
                 resting.differentiate(what, mechanisms, gradient);
             }
-            Way::Beside(_) | Way::AtRest(_) | Way::Alone => {}
+            Way::Perturbed(_) | Way::AtRest(_) | Way::Alone => {}
         }
     }
 
     /// Keeps the motion of each run from now on, for [`Member::slopes`].
     pub fn keep_motion(&mut self) {
         match &mut self.way {
-            Way::Beside(beside) => beside.keep_motion(),
+            Way::Perturbed(perturbed) => perturbed.keep_motion(),
             Way::AtRest(resting) => resting.keep_motion(),
             Way::Alone => {}
         }
@@ -269,8 +271,8 @@ impl Member<'_> {
         } = self;
         if let Some(mechanisms) = mechanisms {
             let ended = match way {
-                Way::Beside(beside) => {
-                    let is_found = beside.run(values, mechanisms, responses);
+                Way::Perturbed(perturbed) => {
+                    let is_found = perturbed.run(values, mechanisms, responses);
                     is_found.then(|| Ended::whole(responses))
                 }
                 Way::AtRest(resting) => resting.run(values, mechanisms, control, responses),

@@ -19,7 +19,7 @@ use linkdyn_output::{
 /// The columns that responses need.
 pub struct Needs {
     channels: Channels,
-    /// What is wanted of what follows from rows; none where none of it is needed.
+    /// What is wanted of what follows from rows; `None` if none of it is needed.
     wanted: Option<Wanted>,
     /// Place of each need in a row of the channels, and of what follows behind them.
     places: Vec<usize>,
@@ -126,7 +126,7 @@ impl Follows {
 }
 
 impl Needs {
-    /// Of the responses of a prepared model; none where a column is not there.
+    /// Of the responses of a prepared model; `None` if a column is not there.
     pub fn new(prepared: &Prepared) -> Option<Needs> {
         let (system, question) = prepared.parts();
         let all = Channels::new(system, question.contents);
@@ -190,7 +190,7 @@ impl Needs {
         }
     }
 
-    /// What makes of a row of a mechanism what follows from it; none where no response needs that.
+    /// What makes of a row of a mechanism what follows from it; `None` if no response needs that.
     pub fn derived<'s>(&self, system: &'s System) -> Option<Derived<'s>> {
         let columns = self.channels.columns();
         let wanted = self.wanted.as_ref()?;

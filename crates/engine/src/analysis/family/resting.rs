@@ -9,7 +9,7 @@ use crate::analysis::control::{Control, Stop};
 use crate::analysis::responses::{Evaluation, Responses};
 use crate::analysis::{equilibrium, statics};
 use crate::mechanism::equilibrium::Stability;
-use crate::mechanism::held::Held;
+use crate::mechanism::linearised_system::LinearisedSystem;
 use crate::system::System;
 use linkdyn_output::{Report, Status};
 
@@ -55,7 +55,7 @@ impl<'f> Resting<'f> {
         self.kept.as_ref().is_some_and(|kept| kept.values == values)
     }
 
-    /// Works out the responses; none where only a run of the model can tell what is wrong with it.
+    /// Works out the responses; `None` if only a run of the model can tell what is wrong with it.
     pub fn run(
         &mut self,
         values: &[f64],
@@ -99,7 +99,7 @@ impl<'f> Resting<'f> {
         Ok(())
     }
 
-    fn read(&mut self, held: &mut Held) {
+    fn read(&mut self, held: &mut LinearisedSystem) {
         let sample = statics::sample(held);
         let system = held.driven.system;
         let state = State {
@@ -127,7 +127,7 @@ impl<'f> Resting<'f> {
         {
             let arounds = Around::all(mechanisms, self.responses, values, lengths);
             if let Some(system) = mechanisms.at(values, 1.0)
-                && let Ok(mut held) = Held::new(&system, &kept.columns, &kept.q)
+                && let Ok(mut held) = LinearisedSystem::new(&system, &kept.columns, &kept.q)
             {
                 self.follow(&mut held, &arounds, lengths, gradient);
             }
@@ -137,7 +137,7 @@ impl<'f> Resting<'f> {
 
     fn follow(
         &mut self,
-        held: &mut Held,
+        held: &mut LinearisedSystem,
         arounds: &[Option<Around>],
         lengths: &[f64],
         gradient: &mut [f64],

@@ -149,7 +149,7 @@ impl<'n> Slopes<'n> {
     }
 
     /// Derivatives of the wanted columns at an instant, with its factors in `driven`; NaN of one that is not smooth there, and of
-    /// what is carried where forces are not, or depend on multipliers. None where the motion is not smooth.
+    /// what is carried where forces are not, or depend on multipliers. `None` if the motion is not smooth.
     pub fn along(
         &mut self,
         driven: &mut Driven,
@@ -312,7 +312,7 @@ impl<'n> Slopes<'n> {
         &self.room.values
     }
 
-    /// Puts −J⁻¹ of the rows' derivatives to a place; none where they are not smooth.
+    /// Puts −J⁻¹ of the rows' derivatives to a place; `None` if they are not smooth.
     fn solve(
         &mut self,
         driven: &mut Driven,

@@ -67,7 +67,7 @@ struct Follower<'s> {
 }
 
 impl Track {
-    /// Of a prepared model; none where variants need more than it has.
+    /// Of a prepared model; `None` if variants need more than it has.
     pub fn new(prepared: &Prepared, changes: Changes) -> Option<Track> {
         let (system, question) = prepared.parts();
         let settings = question.driven();
@@ -96,7 +96,7 @@ impl Track {
 }
 
 impl<'s> Follower<'s> {
-    /// Follows the motion; none where there are singular positions or redundant constraints.
+    /// Follows the motion; `None` if there are singular positions or redundant constraints.
     fn new(system: &'s System, instants: &[OutputInstant]) -> Option<Self> {
         let start = Inputs::at_time(system, 0.0);
         let assembled = assemble(system, &start).ok()?;

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 pub struct Answer {
     /// Its name.
     pub name: String,
-    /// In SI; none where there is none.
+    /// In SI; `None` if there is none.
     pub value: Option<f64>,
     /// Its unit in SI; empty of a plain number.
     pub unit: String,

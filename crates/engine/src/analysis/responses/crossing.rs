@@ -23,7 +23,7 @@ pub struct Known {
     pub value: f64,
 }
 
-/// The value where the difference is zero, between two places where it has different signs; none where `ask` gives none.
+/// The value where the difference is zero, between two places where it has different signs; `None` if `ask` gives none.
 pub fn value(
     [mut low, mut high]: [Known; 2],
     mut ask: impl FnMut(f64) -> Option<Known>,

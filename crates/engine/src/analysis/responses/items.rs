@@ -8,7 +8,7 @@ use linkdyn_output::{ClearanceSums, Event, Report, Status};
 #[derive(Debug, Clone)]
 pub struct Listed {
     pub list: List,
-    /// What is told of each entry, in the order in which the program takes it.
+    /// What is reported about each entry, in the order in which the program takes it.
     pub items: Vec<Item>,
     pub program: Program,
 }
@@ -100,7 +100,7 @@ impl Listed {
     }
 }
 
-/// What is told of an event.
+/// What is reported about an event.
 fn of_event(event: &Event, item: Item) -> f64 {
     let Some(episode) = &event.episode else {
         return match item {

@@ -196,7 +196,7 @@ impl Evaluation<'_> {
         self.running.iter_mut().for_each(Running::restart);
     }
 
-    /// Sets a parameter that responses name, in SI; of no account where none does.
+    /// Sets a parameter that responses name, in SI; ignored where none does.
     pub fn set_parameter(&mut self, name: &str, value: f64) {
         for response in &self.of.list {
             let place = response.parameters.iter().position(|known| known == name);
@@ -314,7 +314,7 @@ impl Evaluation<'_> {
         answers.collect()
     }
 
-    /// Why a response has no value, after [`Evaluation::finish`]; none where it has one.
+    /// Why a response has no value, after [`Evaluation::finish`]; `None` if it has one.
     pub fn reason(&self, index: usize) -> Option<String> {
         let reason = self.reasons.get(index).copied().flatten()?;
         Some(self.of.words(reason))

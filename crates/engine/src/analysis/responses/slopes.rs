@@ -32,7 +32,7 @@ const STEPS: usize = 30;
 /// A crossing is met within this part of the rows' distance.
 const MET: f64 = 1e-14;
 
-/// Gives the needed columns at a time, with derivatives by the parameters and, behind them where that is asked for, by time.
+/// Gives the needed columns at a time, with derivatives by the parameters and, behind them if that is requested, by time.
 pub type Columns<'c> = dyn FnMut(f64, bool) -> Option<Vec<Dual<f64>>> + 'c;
 
 /// What a reduction is differentiated with.
@@ -129,7 +129,7 @@ impl Evaluation<'_> {
 }
 
 impl Reduced<'_, '_> {
-    /// The result with its derivatives; none where they are not known.
+    /// The result with its derivatives; `None` if they are not known.
     fn differentiate(&mut self) -> Option<Dual<f64>> {
         let Over::Rows { value, equation } = &self.reducer.over else {
             return None;

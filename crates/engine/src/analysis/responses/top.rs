@@ -160,7 +160,7 @@ impl Bracket {
     }
 }
 
-/// How much higher the curve may be near a row than there, at most; none where it can't be: the row is lower than its neighbours.
+/// How much higher the curve may be near a row than there, at most; `None` if it can't be: the row is lower than its neighbours.
 pub fn promise(rows: &[Point], index: usize) -> Option<f64> {
     let drop = drop(rows, index)?;
     // A parabola has an eighth at most, a kink a half.

@@ -14,7 +14,7 @@
 //!
 //! Each is zero at e = 1; the last three have no bound at e = 0. None depends on K, n, or the masses: for a free impact of
 //! one mass the motion gives χ(1 + e) = ln((1 + χ)/(1 − χe)) exactly, which is what Gonthier's rule solves; so it alone
-//! returns the e that is asked for, the others one that is near it for elastic contacts. `linkdyn validate restitution`
+//! returns the e that is requested, the others one that is near it for elastic contacts. `linkdyn validate restitution`
 //! measures all of them.
 //!
 //! Sources: K. H. Hunt, F. R. E. Crossley, J. Appl. Mech. 42, 1975; R. G. Herbert, D. C. McWhannell, J. Eng. Ind. 99, 1977;

@@ -97,7 +97,7 @@ const LONGEST: f64 = 0.4;
 const FLAT: f64 = 0.05;
 
 impl Curve {
-    /// A curve; none where it does not go once around the cam's point in one sense.
+    /// A curve; `None` if it does not go once around the cam's point in one sense.
     pub fn new(form: Form) -> Option<Self> {
         let mut curve = Curve {
             form,

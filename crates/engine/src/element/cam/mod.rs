@@ -73,7 +73,7 @@ pub struct Cam {
     pub touch: Touch,
     /// How the follower is guided, where that is known.
     pub way: Option<Way>,
-    /// Index of its law's stretch in [`Kinematics::sides`], from the last one on; none where the law has no breaks.
+    /// Index of its law's stretch in [`Kinematics::sides`], from the last one on; `None` if the law has no breaks.
     pub kink: Option<usize>,
 }
 
@@ -272,7 +272,7 @@ impl Constraint for Cam {
         };
     }
 
-    fn bends(&self) -> Vec<Slope> {
+    fn curvature_pattern(&self) -> Vec<Slope> {
         let coordinate = |k: usize| {
             let marker = if k < AXES.len() {
                 self.cam

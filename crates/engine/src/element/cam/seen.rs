@@ -13,7 +13,7 @@ pub struct Meeting {
     pub normal: Vec2,
     /// Curvature of the profile, positive where it is convex [1/m].
     pub curvature: f64,
-    /// From the follower's way to n \[rad\]; none where its way is not known.
+    /// From the follower's way to n \[rad\]; `None` if its way is not known.
     pub pressure: Option<f64>,
 }
 

@@ -52,7 +52,7 @@ impl Support {
         Support::of(Form::Law { base, law }, normal)
     }
 
-    /// Of a curve; none where it is not convex: a face does not touch it in hollows.
+    /// Of a curve; `None` if it is not convex: a face does not touch it in hollows.
     pub fn curve(curve: Curve, normal: Vec2) -> Option<Self> {
         let samples: Vec<(f64, f64, f64)> = curve.samples().collect();
         if samples.iter().any(|(.., curvature)| *curvature <= 0.0) {

@@ -24,7 +24,7 @@ const ITERATIONS: usize = 6;
 const STILL: f64 = 1e-12;
 
 impl Search<'_> {
-    /// β L of a guess near enough to prove what Newton finds; none where it does not.
+    /// β L of a guess near enough to prove what Newton finds; `None` if it does not.
     pub(super) fn proof(&mut self) -> Option<f64> {
         let values = self.part(|origin| matches!(origin, Origin::Driver(_) | Origin::Initial(_)));
         if dot(&values, &values).sqrt() <= STILL {
@@ -99,7 +99,7 @@ impl Search<'_> {
         let at = self.evaluation.kinematics(self.inputs);
         let mut sum = 0.0;
         for block in self.rows.blocks {
-            let bends = block.constraint.bends();
+            let bends = block.constraint.curvature_pattern();
             let mut values = vec![0.0; bends.len()];
             for (row, measure) in block.constraint.rows().iter().enumerate() {
                 let mut lambda = [0.0; 4];

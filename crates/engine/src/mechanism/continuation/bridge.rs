@@ -74,7 +74,7 @@ impl Path {
         self.windows.extend(window);
     }
 
-    /// The root of the test function in the gap from `a` to `b`, and the function's size at the window's edge; none where its
+    /// The root of the test function in the gap from `a` to `b`, and the function's size at the window's edge; `None` if its
     /// sign changes through a pole.
     fn locate(
         &self,

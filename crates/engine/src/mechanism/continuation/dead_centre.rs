@@ -106,7 +106,7 @@ const RUNS_OFF: f64 = 1e3;
 /// Largest difference between two extrapolations of a dead centre, by the way to it.
 const FOLDS: f64 = 1e-3;
 
-/// The s of a dead centre just ahead of two points, s = s* − c (p − p*)²; none where they do not lie so. The path ends some
+/// The s of a dead centre just ahead of two points, s = s* − c (p − p*)²; `None` if they do not lie so. The path ends some
 /// 1e-9 of a step before it, so that higher powers have no part in it.
 fn fold([before, last]: [Point; 2]) -> Option<f64> {
     let centre = last.p - last.g * (last.p - before.p) / (last.g - before.g);

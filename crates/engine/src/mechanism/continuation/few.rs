@@ -24,7 +24,7 @@ const GAP: f64 = 1.05;
 const HALVED: usize = 3;
 /// What is left out may be missed by this [rad or sizes].
 const KNOWN: f64 = 1e-12;
-/// Where round-off is more, by this many times the median of what gaps were told to be off by: that weighs a node that is left out by
+/// Where round-off is more, by this many times the median of what gaps were reported to be off by: that weighs a node that is left out by
 /// what a polynomial leaves, of which the gap has much less, while round-off of the nodes' own q″ is there in full.
 const ROUND_OFF: f64 = 40.0;
 /// Between nodes that are left out a polynomial is off by no more than this many times what it is off by there.
@@ -162,7 +162,7 @@ struct Few<'a> {
     unit: f64,
     /// Where the path repeats itself, and all are those of a turn.
     turn: Option<&'a Turn>,
-    /// All of them, and what the gaps behind them were told to be off by.
+    /// All of them, and what the gaps behind them were reported to be off by.
     all: &'a [Node],
     errors: &'a [f64],
     /// By how much nodes that are left out may be missed [rad or sizes].
@@ -289,7 +289,7 @@ impl Few<'_> {
         let error = |(k, gap): (usize, Range<usize>)| {
             let own = (gap.start, self.around(kept, k));
             let known = self.known.iter().find(|(known, _)| *known == own);
-            // Round-off is told as it was.
+            // Round-off is reported as it was.
             known.map_or(self.errors[gap.start], |(_, miss)| {
                 (BETWEEN * miss).min(KNOWN).max(miss / ROUND_OFF)
             })

@@ -20,11 +20,11 @@ pub struct Window {
     pub(crate) radius: f64,
     /// Half width of the data.
     pub width: f64,
-    /// Its polynomial; none where the path's nodes tell it.
+    /// Its polynomial; `None` if the path's nodes tell it.
     pub(super) branch: Option<Osculating>,
 }
 
-/// The gap that was asked for last, where the next search begins.
+/// The gap that was requested last, where the next search begins.
 pub(super) struct LastGap(AtomicUsize);
 
 impl Default for LastGap {

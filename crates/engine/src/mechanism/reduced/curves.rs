@@ -46,7 +46,7 @@ impl Reduced<'_> {
         }
     }
 
-    /// The coordinate of a curve with the mechanism at `q` [rad or m]; none where it was not followed yet.
+    /// The coordinate of a curve with the mechanism at `q` [rad or m]; `None` if it was not followed yet.
     pub fn coordinate(&self, curve: usize, q: &[f64]) -> Option<f64> {
         self.path(curve)?;
         match self.chart.bridge() {

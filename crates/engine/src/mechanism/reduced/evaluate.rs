@@ -62,7 +62,7 @@ impl Reduced<'_> {
         true
     }
 
-    /// q, v, a, of which elements are told where one of them looks.
+    /// q, v, a, which elements are given if one of them needs it.
     fn evaluate_places(&mut self, time: f64, y: &[f64]) -> Result<(), Failure> {
         self.is_told = true;
         if !self.with_factors && self.evaluate_straight(time, y) {

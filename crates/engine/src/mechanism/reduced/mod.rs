@@ -96,7 +96,7 @@ pub struct Reduced<'s> {
     /// What is known of the point at hand.
     placed: Placed,
     /// Evaluations make the equations' factors, even where the curve is known: multipliers depend on each other or on contacts, or
-    /// are asked for.
+    /// are requested.
     with_factors: bool,
     /// Elements know the point at hand: where none looks at places, they are not told of those within steps.
     is_told: bool,

@@ -28,7 +28,7 @@ pub(super) struct Nearest {
 }
 
 impl Nearest {
-    /// Of active rows of joints and drivers; none where something that moves has no mass.
+    /// Of active rows of joints and drivers; `None` if something that moves has no mass.
     pub fn of(driven: &Driven, rows: &[u32]) -> Option<Self> {
         let system = driven.system;
         let masses = system.mass.diagonal();

@@ -15,7 +15,7 @@ pub(super) struct Given<'a> {
     pub inputs: &'a Inputs,
     /// The points that predict it.
     pub accepted: &'a Accepted,
-    /// How well S and S' must be known where nothing is solved [rad or sizes]; none where it is wanted with the equations' factors.
+    /// How well S and S' must be known where nothing is solved [rad or sizes]; `None` if it is wanted with the equations' factors.
     pub known_to: Option<f64>,
 }
 

@@ -25,7 +25,7 @@ pub(super) type Terms = [f64; 4];
 #[derive(Clone)]
 pub(super) struct Profile {
     stretches: Vec<Stretch>,
-    /// The one asked for last.
+    /// The one requested last.
     last: usize,
     /// Stretches per unit of the coordinate.
     density: f64,
@@ -38,7 +38,7 @@ pub(super) struct Profile {
 struct Stretch {
     /// Stretches are numbered from the coordinate's zero, and stand by number.
     number: i64,
-    /// Coefficients of the powers of the place, from -1 to 1; none where no such polynomial tells it.
+    /// Coefficients of the powers of the place, from -1 to 1; `None` if no such polynomial tells it.
     powers: Option<[Terms; SAMPLES]>,
 }
 
@@ -115,7 +115,7 @@ impl Profile {
         std::array::from_fn(|j| (middle + 0.5 * extremum(j)) / self.density)
     }
 
-    /// Takes the samples of the stretch that `u` is in; none where there is a point that the curve does not tell. `error` is the
+    /// Takes the samples of the stretch that `u` is in; `None` if there is a point that the curve does not tell. `error` is the
     /// largest that is allowed, by the sizes of the terms.
     pub fn take(&mut self, u: f64, samples: Option<&[Terms; SAMPLES]>, error: f64) {
         let powers = samples.and_then(|samples| powers(samples, self.unit, error));
@@ -136,7 +136,7 @@ fn extremum(j: usize) -> f64 {
     -(PI * j as f64 / (SAMPLES - 1) as f64).cos()
 }
 
-/// Coefficients of the powers through samples at the extrema; none where those of the last Chebyshev polynomials are not small.
+/// Coefficients of the powers through samples at the extrema; `None` if those of the last Chebyshev polynomials are not small.
 ///
 /// m is measured by the mean of its least and its largest, as the error of SᵀMS grows where S becomes small; g by that over the
 /// unit; and w by what would pull were all weights to help each other.

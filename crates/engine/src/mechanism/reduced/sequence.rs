@@ -67,7 +67,7 @@ struct Entry {
 }
 
 impl Sequence {
-    /// Of a mechanism at a position that satisfies its constraints, with J there; none where there is no such order.
+    /// Of a mechanism at a position that satisfies its constraints, with J there; `None` if there is no such order.
     pub fn of(driven: &Driven) -> Option<Self> {
         let system = driven.system;
         let (n, m) = (system.n(), system.m());

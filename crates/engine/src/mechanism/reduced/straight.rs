@@ -41,7 +41,7 @@ pub(super) struct Straight {
     all: Vec<f64>,
 }
 
-/// A matrix by its entries, factored; none where it is singular.
+/// A matrix by its entries, factored; `None` if it is singular.
 fn factored(size: usize, entries: &[(usize, usize, f64)]) -> Option<SparseLu> {
     let places: Vec<_> = entries
         .iter()
@@ -59,7 +59,7 @@ fn factored(size: usize, entries: &[(usize, usize, f64)]) -> Option<SparseLu> {
 }
 
 impl Straight {
-    /// Of a mechanism at a position that satisfies its constraints, with J there; none where one of them bends.
+    /// Of a mechanism at a position that satisfies its constraints, with J there; `None` if one of them bends.
     pub fn of(driven: &Driven, standing: &Standing) -> Option<Self> {
         let (system, moving) = (driven.system, standing.moving());
         let rows = standing.rest(driven.active_rows());

@@ -9,7 +9,7 @@ const STRAIN_ITERATIONS: usize = 3;
 
 impl Reduced<'_> {
     /// Rows (of joints and drivers) that take the largest part in what is nearest to a self-stress at the last accepted
-    /// point; none where even that can't be factored.
+    /// point; `None` if even that can't be factored.
     ///
     /// To look for them is no work of the run.
     pub fn strained_rows(&mut self) -> Vec<usize> {

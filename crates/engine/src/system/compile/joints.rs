@@ -90,7 +90,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// The stretch of a slot without limits that its body's points on its line draw; none where there is but one.
+    /// The stretch of a slot without limits that its body's points on its line draw; `None` if there is but one.
     fn drawn_slot(&self, joint: &Joint) -> Option<Box<[f64; 2]>> {
         let own = &joint.between[0];
         let JointKind::Slot { axis, .. } = &joint.kind else {

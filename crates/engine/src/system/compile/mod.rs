@@ -67,9 +67,9 @@ struct Compiler<'a> {
     ids: HashMap<&'a str, BodyId>,
     /// Centre of mass in the body's frame, by body id.
     com: Vec<Vec2>,
-    /// The names of what moves, once a formula has asked for them.
+    /// The names of what moves, once a formula has requested them.
     catalogue: Option<Catalogue>,
-    /// The model's tables, once a formula has asked for them.
+    /// The model's tables, once a formula has requested them.
     curves: Option<Vec<Arc<dyn Look>>>,
     /// Exponents of what the formulas' kinks compare.
     kinks: Vec<[f64; 4]>,

@@ -22,7 +22,7 @@ pub struct Profile {
     pub reach: f64,
 }
 
-/// The profiles of a model's cams, in the order of the joints; none where a joint can't be had.
+/// The profiles of a model's cams, in the order of the joints; `None` if a joint can't be had.
 pub fn profiles(model: &Checked) -> Vec<Profile> {
     let Ok(system) = compile_geometry(model) else {
         return Vec::new();

@@ -13,7 +13,7 @@ pub type Moved = Option<(Moving, Vec<(String, Quantity)>)>;
 type Named<'a> = Option<(Vec<usize>, Vec<(&'a str, Quantity)>)>;
 
 impl Parameters {
-    /// What a response measures, and the parameters that it names; none where one of these has no value.
+    /// What a response measures, and the parameters that it names; `None` if one of these has no value.
     ///
     /// # Errors
     /// What is wrong with it, and where.
@@ -30,7 +30,7 @@ impl Parameters {
         Ok(Some((compiled.quantity, constants)))
     }
 
-    /// An expression of what moves, and the parameters that it names; none where one of these has no value.
+    /// An expression of what moves, and the parameters that it names; `None` if one of these has no value.
     ///
     /// # Errors
     /// What is wrong with it, and where.
@@ -50,7 +50,7 @@ impl Parameters {
         Ok(Some((moving, constants)))
     }
 
-    /// The parameters that a text names, with their values; none where one has none.
+    /// The parameters that a text names, with their values; `None` if one has none.
     fn named(&self, text: &str, results: &dyn Results) -> Result<Named<'_>, Misfit> {
         let find = |name: &str| self.places.get(name).copied();
         let expression = Expression::response(text, &find, &self.names, results)?;

@@ -118,7 +118,7 @@ impl Parser<'_> {
         let is_power = |word: &str| word.chars().all(|c| c.is_ascii_digit());
         let mut words = inner.split(|c| !is_name(c)).filter(|word| !word.is_empty());
         let units = words.all(|word| {
-            // Names that are known come first: what is no unit is compared with all that are, to be told.
+            // Names that are known come first: what is no unit is compared with all that are, to be reported.
             is_power(word) || (self.find)(word).is_none() && !self.is_known(word) && is_unit(word)
         });
         let starts = inner.trim_start().starts_with(char::is_alphabetic);

@@ -25,7 +25,7 @@ const ROUGH: f64 = 0.1;
 pub struct Events(Sweep);
 
 impl Events {
-    /// The first event of the last step, which ends near it then; none where no guard becomes positive. The mechanism is
+    /// The first event of the last step, which ends near it then; `None` if no guard becomes positive. The mechanism is
     /// evaluated at the step's end then.
     ///
     /// # Errors

@@ -16,7 +16,7 @@ impl Flow<'_> {
     }
 
     /// Holds all formulas and cams on the sides on which they are at the point of the last evaluation.
-    pub fn hold_sides(&mut self) {
+    pub fn freeze_branches(&mut self) {
         if self.has_kinks() {
             self.equations.take_sides();
         }

@@ -96,7 +96,7 @@ impl<'a> Grips<'a> {
         &self.mass
     }
 
-    /// What they do, with (N, T) of each; none where there is no solution.
+    /// What they do, with (N, T) of each; `None` if there is no solution.
     pub fn solve(&self) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
         // Nothing presses at first, and where that leads nowhere, all that can.
         (0..2)
@@ -194,7 +194,7 @@ impl<'a> Grips<'a> {
         Attempt::Solved(forces)
     }
 
-    /// (N, T) in these modes; none where they hold something twice.
+    /// (N, T) in these modes; `None` if they hold something twice.
     pub fn forces(&self, modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
         // Rows of W that are conditions: contact and way.
         let conditions: Vec<usize> = (0..2 * modes.len())

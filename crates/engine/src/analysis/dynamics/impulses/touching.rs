@@ -77,12 +77,12 @@ impl Touching {
         })
     }
 
-    /// p with these ρ and b; none where there is no solution.
+    /// p with these ρ and b; `None` if there is no solution.
     pub fn solve(&self, ratios: &[f64], free: &[f64]) -> Option<Pushes> {
         complementary(&self.inverse_mass(ratios), free)
     }
 
-    /// p of the others while contact `leader` pushes with 1; none where there is no solution.
+    /// p of the others while contact `leader` pushes with 1; `None` if there is no solution.
     pub fn pushed_by(&self, leader: usize, inverse_mass: &DMatrix<f64>) -> Option<Vec<f64>> {
         let others: Vec<usize> = (0..self.len()).filter(|&other| other != leader).collect();
         let part = DMatrix::from_fn(others.len(), others.len(), |i, j| {

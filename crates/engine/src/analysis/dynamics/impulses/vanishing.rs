@@ -27,7 +27,7 @@ const OWN: usize = 4;
 /// Impulses that change velocities by this part of the largest of them at most are none: they vanish with h.
 const VANISHES: f64 = 1e-3;
 
-/// These impulses of all contacts that touch, where the mechanism was evaluated with none of them sustained; none where they vanish with h.
+/// These impulses of all contacts that touch, where the mechanism was evaluated with none of them sustained; `None` if they vanish with h.
 pub(super) fn vanishing(flow: &Flow, touching: &Touching) -> Option<Vec<[f64; 2]>> {
     let mut velocities = [touching.approaches(flow), touching.slidings(flow)];
     // Where the determinant is all but zero, round-off would be an impulse.

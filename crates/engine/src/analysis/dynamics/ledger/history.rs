@@ -22,7 +22,7 @@ pub struct Entry {
     pub angle: f64,
 }
 
-/// Everything that is told of a joint's contact.
+/// Everything that is reported about a joint's contact.
 #[derive(Debug, Clone)]
 pub struct History {
     joint: String,

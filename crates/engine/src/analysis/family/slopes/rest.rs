@@ -21,7 +21,7 @@ use super::{Along, Instant, Readers, Slopes, Stage};
 use crate::analysis::family::stencil::STEP;
 use crate::analysis::sample::Sample;
 use crate::analysis::statics;
-use crate::mechanism::held::Held;
+use crate::mechanism::linearised_system::LinearisedSystem;
 use linkdyn_linear::eigen::{solve, symmetric};
 use linkdyn_linear::math::{dot, max_abs};
 
@@ -38,8 +38,8 @@ pub struct Equilibrium {
 }
 
 impl Slopes<'_> {
-    /// Of a mechanism in its equilibrium; none where nothing differentiable holds that.
-    pub fn equilibrium(&mut self, held: &mut Held) -> Option<Equilibrium> {
+    /// Of a mechanism in its equilibrium; `None` if nothing differentiable holds that.
+    pub fn equilibrium(&mut self, held: &mut LinearisedSystem) -> Option<Equilibrium> {
         if held.driven.is_redundant() {
             return None;
         }
@@ -68,10 +68,10 @@ impl Slopes<'_> {
         is_held.then_some(Equilibrium { sample, stiffness })
     }
 
-    /// Derivatives of the wanted columns along a parameter; NaN of one that is not smooth there, none where the equations are not.
+    /// Derivatives of the wanted columns along a parameter; NaN of one that is not smooth there, `None` if the equations are not.
     pub fn at_rest(
         &mut self,
-        held: &mut Held,
+        held: &mut LinearisedSystem,
         equilibrium: &Equilibrium,
         along: &Along,
         readers: Readers,
@@ -98,8 +98,12 @@ impl Slopes<'_> {
     }
 }
 
-/// How the mechanism gives way to a pull (f) on its coordinates (n); none where it does so without end.
-fn moved(held: &Held, stiffness: &[f64], pull: impl Fn(usize) -> f64) -> Option<Vec<f64>> {
+/// How the mechanism gives way to a pull (f) on its coordinates (n); `None` if it does so without end.
+fn moved(
+    held: &LinearisedSystem,
+    stiffness: &[f64],
+    pull: impl Fn(usize) -> f64,
+) -> Option<Vec<f64>> {
     let f = held.freedom();
     let pull: Vec<f64> = (0..f).map(|k| held.scale(k) * pull(k)).collect();
     let mut step = solve(stiffness, &pull)?;
@@ -110,7 +114,7 @@ fn moved(held: &Held, stiffness: &[f64], pull: impl Fn(usize) -> f64) -> Option<
 }
 
 /// Whether the forces hold every direction, and the mechanism is where they do.
-fn is_held(held: &Held, sample: &Sample, stiffness: &[f64]) -> bool {
+fn is_held(held: &LinearisedSystem, sample: &Sample, stiffness: &[f64]) -> bool {
     let f = held.freedom();
     if f == 0 {
         return true;

@@ -6,7 +6,7 @@ use crate::system::{Slopes, System};
 #[derive(Clone, Default)]
 pub(super) struct Entries {
     pub all: Vec<(usize, usize)>,
-    /// By entry that is asked for: its index and the mirrored one's in `all`.
+    /// By entry that is requested: its index and the mirrored one's in `all`.
     pub owned: Vec<Option<[usize; 2]>>,
 }
 

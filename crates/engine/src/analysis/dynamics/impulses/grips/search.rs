@@ -29,7 +29,7 @@ struct Tableau {
 }
 
 impl Tableau {
-    /// With contact k in this mode; none where that is not to be eliminated.
+    /// With contact k in this mode; `None` if that is not to be eliminated.
     fn with(&self, k: usize, mode: Mode, own: &DMatrix<f64>) -> Option<Tableau> {
         let mut next = self.clone();
         let (normal, tangential) = (2 * k, 2 * k + 1);

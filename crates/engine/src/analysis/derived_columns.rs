@@ -1,4 +1,4 @@
-//! Result columns that follow from rows: those of forces and joints that are asked for, and outputs.
+//! Result columns that follow from rows: those of forces and joints that are requested, and outputs.
 
 use super::acting::{self, Acting};
 use super::channels::Contents;
@@ -9,7 +9,7 @@ use linkdyn_output::{Column, Trajectory, matches};
 
 /// Which columns follow from rows.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Following {
+pub(super) struct DerivedSelection {
     /// Of forces and joints.
     acting: Vec<Column>,
     /// Outputs.
@@ -17,27 +17,27 @@ pub(super) struct Following {
 }
 
 /// Columns beside the rows of a run.
-pub(super) struct Beside<'s> {
+pub(super) struct DerivedColumns<'s> {
     pub headings: Vec<Column>,
     acting: Option<Acting<'s>>,
     ratios: Option<Ratios<'s>>,
 }
 
-impl Following {
+impl DerivedSelection {
     /// All that there may be.
     pub fn all(system: &System, contents: Contents) -> Self {
-        Following {
+        DerivedSelection {
             acting: acting::offered(system, contents),
             ratios: ratios::headings(system),
         }
     }
 
-    /// Those in the results where these columns are asked for; actuators and outputs have theirs anyway.
+    /// Those in the results if these columns are requested; actuators and outputs have theirs anyway.
     ///
     /// Columns that were there before are kept by patterns such as `joint.*`; these must be named by their last word,
     /// `joint.*.angle`, so that the results of a file do not grow.
     pub fn in_results(system: &System, contents: Contents, patterns: &[String]) -> Self {
-        let mut following = Following {
+        let mut following = DerivedSelection {
             acting: Vec::new(),
             ratios: ratios::headings(system),
         };
@@ -57,7 +57,7 @@ impl Following {
             let wanted = columns.iter().filter(|column| is_wanted(column));
             wanted.cloned().collect()
         };
-        Following {
+        DerivedSelection {
             acting: of(&self.acting),
             ratios: of(&self.ratios),
         }
@@ -81,13 +81,13 @@ fn asks(pattern: &str, name: &str) -> bool {
     kind(pattern) == kind(name) && word(pattern) == word(name) && matches(pattern, name)
 }
 
-impl<'s> Beside<'s> {
+impl<'s> DerivedColumns<'s> {
     /// Beside rows with these columns.
-    pub fn new(system: &'s System, columns: &Columns, following: &Following) -> Self {
-        let Following { acting, ratios } = following;
+    pub fn new(system: &'s System, columns: &Columns, following: &DerivedSelection) -> Self {
+        let DerivedSelection { acting, ratios } = following;
         let acting = (!acting.is_empty()).then(|| Acting::new(system, columns, acting));
         let ratios = (!ratios.is_empty()).then(|| Ratios::new(system, columns, ratios));
-        Beside {
+        DerivedColumns {
             headings: following.headings(),
             acting: acting.flatten(),
             ratios: ratios.flatten(),

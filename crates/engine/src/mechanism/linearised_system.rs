@@ -30,7 +30,7 @@ const STRAINED: f64 = 1e-2;
 const STRAIN_ITERATIONS: usize = 3;
 
 /// A mechanism held at its minimal coordinates.
-pub struct Held<'s> {
+pub struct LinearisedSystem<'s> {
     /// Solver of the position.
     pub driven: Driven<'s>,
     /// Drivers at their values, at rest.
@@ -45,7 +45,7 @@ pub struct Held<'s> {
     pub residual: f64,
 }
 
-impl<'s> Held<'s> {
+impl<'s> LinearisedSystem<'s> {
     /// At an assembled position at t = 0; `columns` are coordinates that determine the rest there.
     ///
     /// # Errors
@@ -58,7 +58,7 @@ impl<'s> Held<'s> {
             .for_each(|jet| *jet = [jet[0], 0.0, 0.0]);
         let driven = Driven::with_independent(system, columns, q, &inputs)?;
         let n = system.n();
-        let mut held = Held {
+        let mut held = LinearisedSystem {
             driven,
             inputs,
             q: q.to_vec(),
@@ -113,7 +113,7 @@ impl<'s> Held<'s> {
             .collect()
     }
 
-    /// Rows (of joints and drivers) that take part in what is nearest to a self-stress; none where that can't be had.
+    /// Rows (of joints and drivers) that take part in what is nearest to a self-stress; `None` if that can't be had.
     pub fn strained_rows(&mut self) -> Vec<usize> {
         let n = self.q.len();
         self.driven.evaluation.set_position(&self.q);

@@ -15,17 +15,17 @@ pub(super) type Refusal = (String, Option<String>);
 
 /// Where a model's text is from, and which files it may name.
 #[derive(Debug, Clone, Default)]
-pub struct Beside {
+pub struct FileAccess {
     /// The model's own file, in whose folder the others are; without one it is the folder that the process runs in.
     pub path: PathBuf,
     /// Folders besides that one.
     pub allowed: Vec<PathBuf>,
 }
 
-impl Beside {
+impl FileAccess {
     /// Of a model in this file, which may name no others than those below its folder.
     pub fn of(path: &Path) -> Self {
-        Beside {
+        FileAccess {
             path: path.to_owned(),
             allowed: Vec::new(),
         }

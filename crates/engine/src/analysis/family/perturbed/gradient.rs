@@ -4,7 +4,7 @@ use super::super::around::Around;
 use super::super::mechanisms::Mechanisms;
 use super::super::needs::{State, duals};
 use super::super::slopes::{Along, Slopes, Wanted};
-use super::{Beside, place};
+use super::{PerturbedSolver, place};
 use crate::analysis::clearance_link::{balance, carried};
 use crate::analysis::derived::Derived;
 use crate::analysis::responses::Dual;
@@ -18,7 +18,7 @@ type Found = Option<Vec<Dual<f64>>>;
 
 /// The instants of a motion with the derivatives of the needed columns.
 struct Instants<'i, 'f, 's> {
-    beside: &'i mut Beside<'f>,
+    perturbed: &'i mut PerturbedSolver<'f>,
     driven: Driven<'s>,
     slopes: Slopes<'f>,
     arounds: &'i [Option<Around>],
@@ -29,7 +29,7 @@ struct Instants<'i, 'f, 's> {
     known: Vec<(At, Found)>,
 }
 
-impl Beside<'_> {
+impl PerturbedSolver<'_> {
     /// Keeps motions from now on, for derivatives.
     pub fn keep_motion(&mut self) {
         self.keeps = true;
@@ -72,7 +72,7 @@ impl Beside<'_> {
             own: needs.derived(&system),
             driven: Driven::take_up(&system, solver),
             slopes: Slopes::new(&system, wanted),
-            beside: self,
+            perturbed: self,
             arounds: &arounds,
             known: Vec::new(),
         };
@@ -88,7 +88,7 @@ impl Beside<'_> {
 }
 
 impl Instants<'_, '_, '_> {
-    /// The needed columns at a time, each with its derivatives by the values, and by time where that is asked for; none where
+    /// The needed columns at a time, each with its derivatives by the values, and by time if that is requested; `None` if
     /// they are not known.
     fn at(&mut self, at: At) -> Found {
         let known = self.known.iter().find(|(own, _)| *own == at);
@@ -103,7 +103,7 @@ impl Instants<'_, '_, '_> {
     fn work_out(&mut self, (time, flows): At) -> Found {
         self.place(time)?;
         let Instants {
-            beside,
+            perturbed,
             driven,
             slopes,
             arounds,
@@ -111,36 +111,36 @@ impl Instants<'_, '_, '_> {
             own,
             ..
         } = self;
-        let instant = (&beside.inputs, &beside.sample);
+        let instant = (&perturbed.inputs, &perturbed.sample);
         let around = arounds.iter().zip(derived).map(|(around, derived)| {
             let along = Along::Parameter(around.as_ref()?);
             slopes.along(driven, instant, &along, derived)
         });
         let mut all: Vec<Option<Vec<f64>>> = around.collect();
         if flows {
-            let step = Slopes::time_step(driven.system, &beside.sample);
+            let step = Slopes::time_step(driven.system, &perturbed.sample);
             all.push(slopes.along(driven, instant, &Along::Time(step), own.as_mut_slice()));
         }
-        Some(duals(&beside.room.values, &all))
+        Some(duals(&perturbed.room.values, &all))
     }
 
     /// Takes the mechanism to a time, with the factors there; its row stands in `row`.
     fn place(&mut self, time: f64) -> Option<()> {
         let Instants {
-            beside,
+            perturbed,
             driven,
             own,
             ..
         } = self;
         let system: &System = driven.system;
-        let Beside {
+        let PerturbedSolver {
             nodes,
             inputs,
             sample,
             track,
             room,
             ..
-        } = &mut **beside;
+        } = &mut **perturbed;
         if !place(driven, nodes, time, inputs, &mut sample.q) {
             return None;
         }

@@ -32,7 +32,7 @@ const CONTRACTION: f64 = 0.25;
 const SHORTEST: f64 = 1.0 / 16.0;
 
 /// One thread's variant.
-pub struct Beside<'f> {
+pub struct PerturbedSolver<'f> {
     track: &'f Track,
     responses: &'f Responses,
     evaluation: Evaluation<'f>,
@@ -58,12 +58,12 @@ pub struct Beside<'f> {
     report: Report,
 }
 
-impl<'f> Beside<'f> {
+impl<'f> PerturbedSolver<'f> {
     pub fn new(track: &'f Track, system: &System, responses: &'f Responses) -> Self {
         let n = system.n();
         let zero = || vec![0.0; n];
         let three = || [zero(), zero(), zero()];
-        Beside {
+        PerturbedSolver {
             track,
             responses,
             evaluation: responses.begin(),
@@ -208,7 +208,7 @@ impl<'f> Beside<'f> {
         if !self.looks_between {
             return;
         }
-        let Beside {
+        let PerturbedSolver {
             evaluation,
             nodes,
             track,
@@ -275,7 +275,7 @@ impl<'f> Beside<'f> {
         }
     }
 
-    /// From the prediction; how far off it was [rad, sizes], and none where nothing is proven.
+    /// From the prediction; how far off it was [rad, sizes], and `None` if nothing is proven.
     fn solve(&mut self, driven: &mut Driven, station: &Station) -> Option<f64> {
         let Sample { q, v, a, .. } = &mut self.sample;
         let miss = proven(driven, q, &self.inputs)?;
