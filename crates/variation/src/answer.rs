@@ -1,9 +1,9 @@
 //! The answer: by output and pose how far it deviates, and what each source does to it.
 
 use super::ascent::Farthest;
-use super::displaced::NominalPose;
-use super::levels::Levels;
+use super::poses::NominalPose;
 use super::statistics::Capability;
+use super::wanted::{Levels, Wanted};
 use linkdyn_engine::element::{BodyColumns, Measure, Pose};
 use linkdyn_engine::system::{BodyData, DriverData, System};
 use linkdyn_linear::math::Vec2;
@@ -175,4 +175,17 @@ pub struct Contribution {
     pub reach: [f64; 2],
     /// Variance of the output by it.
     pub variance: f64,
+}
+
+impl OutputAccuracy {
+    /// A wanted output without poses.
+    pub(super) fn blank<Of>(wanted: &Wanted<Of>) -> Self {
+        OutputAccuracy {
+            name: wanted.name.clone(),
+            of: wanted.of.clone(),
+            unit: wanted.unit,
+            limits: wanted.limits,
+            poses: Vec::new(),
+        }
+    }
 }

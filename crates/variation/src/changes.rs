@@ -18,8 +18,8 @@
 //! ratio, off by δ           ∂φ/∂r = θ₁ − θ_c − …                                        δ (|Δθ₁| + |Δθ_c|)
 //! ```
 
-use super::Question;
 use super::geometry::{Dimension, Dimensions, Here, PointId, driver_block};
+use super::question::Question;
 use super::source::Acts;
 use linkdyn_engine::element::{Axis, BodyId, Kinematics, Marker};
 use linkdyn_engine::system::{Block, DriverRole, JointData, JointRole, Origin, System};

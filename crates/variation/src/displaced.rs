@@ -8,33 +8,28 @@
 //! y ≈ y(q) − λᵀ(φ + B e)                   off by the square of what q and λ lack
 //! ```
 
-use super::Question;
 use super::geometry::{Dimension, Dimensions, Here, PointId};
 use super::output::{Load, Output, Pulls};
+use super::poses::NominalPose;
+use super::question::Question;
 use super::source::{Acts, Pair, Room, Source};
 use linkdyn_engine::element::Pose;
 use linkdyn_engine::mechanism::driven::Driven;
-use linkdyn_engine::system::Inputs;
 use linkdyn_linear::math::{Vec2, perp};
-
-/// A pose that is asked about.
-#[derive(Debug, Clone)]
-pub(super) struct NominalPose {
-    /// Nominal coordinates (n).
-    pub q: Vec<f64>,
-    /// Values of the drivers.
-    pub inputs: Inputs,
-    /// The driver whose value says which pose is meant.
-    pub held: Option<usize>,
-    /// The self-stress of the equations (m) where J has no inverse that means something.
-    pub self_stress: Option<Vec<f64>>,
-}
 
 /// An output at a pose.
 #[derive(Clone, Copy)]
 pub(super) struct Asked<'a> {
     pub stand: &'a NominalPose,
     pub output: &'a Output,
+}
+
+impl Question<'_> {
+    /// An output at a pose.
+    pub fn asked<'a>(&'a self, output: usize, stand: &'a NominalPose) -> Asked<'a> {
+        let output = &self.outputs[output].output;
+        Asked { stand, output }
+    }
 }
 
 /// A point that sources move.

@@ -16,8 +16,9 @@
 //! (Krawczyk 1969; Neumaier, Interval Methods for Systems of Equations, 1990, ch. 5.)
 
 use super::changes::Changes;
-use super::displaced::{Asked, Mechanism, NominalPose};
+use super::displaced::{Asked, Mechanism};
 use super::output::{Load, Output};
+use super::poses::NominalPose;
 use super::source::Pair;
 use linkdyn_engine::element::Kinematics;
 use linkdyn_linear::math::Vec2;

@@ -2,27 +2,17 @@
 
 use super::answer::{Contribution, PoseAccuracy};
 use super::ascent::{Ascent, Farthest};
-use super::displaced::{Asked, Mechanism, NominalPose};
+use super::displaced::{Asked, Mechanism};
 use super::enclosure::{Enclosure, Region};
 use super::limits::SAME;
 use super::output::Load;
 use super::path::Path;
+use super::poses::NominalPose;
 use super::source::{Acts, Kind, Pair, Room, dot, length};
 use super::statistics::{Pins, capability};
+use super::wanted::Levels;
 use linkdyn_engine::analysis::clearance_link::forces_at_factors;
 use linkdyn_engine::analysis::sample::Sample;
-
-/// How much is asked; each level has those before it, too.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
-pub enum Levels {
-    /// First order, contributions, spread and lost motion.
-    First,
-    /// And the worst found.
-    Worst,
-    /// And the certified bound.
-    #[default]
-    Certified,
-}
 
 /// A question at one pose after the other.
 pub(super) struct PoseAnalysis<'a> {

@@ -33,79 +33,30 @@ mod limits;
 mod output;
 mod path;
 mod poses;
+mod question;
 mod rooms;
 mod source;
 mod statistics;
 mod stroke;
+mod wanted;
 mod words;
 
 pub use allocate::{Room, Sum, Unallocated, allocate};
 pub use answer::{Accuracy, Contribution, OutputAccuracy, PoseAccuracy};
-pub use levels::Levels;
 pub use rooms::{Free, Limited};
-pub use statistics::{Capability, Pins, Scatter};
+pub use source::Scatter;
+pub use statistics::{Capability, Pins};
+pub use wanted::Levels;
 pub use words::{Deviating, Parameters, Refusal, Scope, accuracy};
 
-use corners::Corners;
-use displaced::{Asked, Mechanism, NominalPose};
-use geometry::Dimensions;
+use displaced::Mechanism;
 use levels::PoseAnalysis;
 use linkdyn_engine::analysis::Control;
-use linkdyn_engine::analysis::instants::OutputInstant;
 use linkdyn_engine::system::System;
-use output::Output;
-use poses::{Halt, Unmet, Way};
-use source::Source;
+use poses::{Halt, NominalPose, Unmet, Way};
+use question::Question;
 use std::num::NonZeroUsize;
-
-/// What is asked of a system.
-struct Question<'q> {
-    outputs: Vec<Wanted<Output>>,
-    forces: forces::Question<'q>,
-    sources: Vec<Source>,
-    dimensions: &'q Dimensions,
-    pins: Pins,
-    levels: Levels,
-    instants: Vec<OutputInstant>,
-    /// Bounds of what the steps of parameters leave out (dimensions); `None` if they are not known.
-    slack: Option<Vec<f64>>,
-    /// Steps of the dimensions for deviations of the parameters.
-    corners: &'q Corners<'q>,
-}
-
-impl Question<'_> {
-    /// An output at a pose.
-    fn asked<'a>(&'a self, output: usize, stand: &'a NominalPose) -> Asked<'a> {
-        let output = &self.outputs[output].output;
-        Asked { stand, output }
-    }
-}
-
-/// An output that is wanted.
-struct Wanted<Of> {
-    name: String,
-    of: String,
-    output: Of,
-    /// Its unit: `rad`, `m`, `N` or `N*m`.
-    unit: &'static str,
-    /// Driver and its value [rad or m] at the pose; none: all instants.
-    at: Option<(usize, f64)>,
-    /// Allowed deviations, in the unit of the output.
-    limits: Option<[f64; 2]>,
-}
-
-impl<Of> Wanted<Of> {
-    /// The output without poses.
-    fn blank(&self) -> OutputAccuracy {
-        OutputAccuracy {
-            name: self.name.clone(),
-            of: self.of.clone(),
-            unit: self.unit,
-            limits: self.limits,
-            poses: Vec::new(),
-        }
-    }
-}
+use wanted::Wanted;
 
 /// Asks the question.
 ///
@@ -138,7 +89,8 @@ fn run(
     if !unreached.is_empty() {
         return Err(Halt::Unreached(unreached));
     }
-    let mut outputs: Vec<OutputAccuracy> = question.outputs.iter().map(Wanted::blank).collect();
+    let mut outputs: Vec<OutputAccuracy> =
+        question.outputs.iter().map(OutputAccuracy::blank).collect();
     let mut analysis = PoseAnalysis::new(Mechanism::new(way.another()?, question));
     let mut along = Vec::new();
     for (index, stand) in stands.iter().enumerate() {

@@ -1,6 +1,5 @@
 //! Positions of the poses that are asked about, on the branch that the drawing is on.
 
-use super::displaced::NominalPose;
 use linkdyn_engine::analysis::assembly::{assemble, check_driven};
 use linkdyn_engine::analysis::driven::{passages, path, range};
 use linkdyn_engine::analysis::instants::OutputInstant;
@@ -10,6 +9,19 @@ use linkdyn_engine::mechanism::driven::{Driven, Failure};
 use linkdyn_engine::system::{Inputs, System};
 use linkdyn_model::error::Complaint;
 use linkdyn_output::Status;
+
+/// A pose that is asked about.
+#[derive(Debug, Clone)]
+pub(super) struct NominalPose {
+    /// Nominal coordinates (n).
+    pub q: Vec<f64>,
+    /// Values of the drivers.
+    pub inputs: Inputs,
+    /// The driver whose value says which pose is meant.
+    pub held: Option<usize>,
+    /// The self-stress of the equations (m) where J has no inverse that means something.
+    pub self_stress: Option<Vec<f64>>,
+}
 
 /// A correction beside a change point may move a coordinate by this much, in radians or sizes, and is round-off.
 const NEAR: f64 = 1e-6;

@@ -6,7 +6,7 @@
 //! ```
 
 use super::allocate::{Room, Sum};
-use super::statistics::Scatter;
+use super::source::Scatter;
 use super::{Accuracy, Contribution, OutputAccuracy, PoseAccuracy};
 
 /// Standard deviations from the mean to the nearer limit: 99.73 % of a normal deviation are within both. Of sources with limits of

@@ -14,7 +14,17 @@
 //! ```
 
 use super::geometry::PointId;
-use super::statistics::Scatter;
+
+/// How a parameter scatters within its limits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scatter {
+    /// Normal, its limits at so many standard deviations.
+    Normal(f64),
+    /// All values alike.
+    Uniform,
+    /// Falling from the middle to the limits in straight lines.
+    Triangular,
+}
 
 /// What is off: one or two numbers of a source, or ∂y by them.
 pub(super) type Pair = [f64; 2];

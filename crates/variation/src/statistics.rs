@@ -14,7 +14,7 @@
 //! A slider with a length on its guide counts as being at its farthest, or evenly between there: anywhere in its room it would
 //! scatter less, by c²(g_e² + (2g_γ/L)²)/6.
 
-use super::source::{Kind, Pair, Room, Source};
+use super::source::{Kind, Pair, Room, Scatter, Source};
 
 /// How pins stand in their bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,17 +27,6 @@ pub enum Pins {
     Load,
     /// In the middle: clearances do not count.
     None,
-}
-
-/// How a parameter scatters within its limits.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Scatter {
-    /// Normal, its limits at so many standard deviations.
-    Normal(f64),
-    /// All values alike.
-    Uniform,
-    /// Falling from the middle to the limits in straight lines.
-    Triangular,
 }
 
 impl Scatter {

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
 use super::long_run::{LongRun, OUTPUTS};
-use super::millimetres;
+use super::solution::millimetres;
 use crate::{CaseError, broken};
 use linkdyn_output::Directory;
 use linkdyn_picture::{Axis, Chart, Curve, Panel, svg};

@@ -1,6 +1,7 @@
 //! The first turn against SciPy: trajectory, impacts, forces.
 
-use super::{ROD, episodes, millimetres, solve, values};
+use super::ROD;
+use super::solution::{episodes, millimetres, solve, values};
 use crate::table::Table;
 use crate::{CaseError, CaseReport, Claim, Setting, at_most, broken, verdict};
 use linkdyn_engine::analysis::Outcome;

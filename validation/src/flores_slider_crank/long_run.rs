@@ -5,11 +5,13 @@
 
 use std::fmt::Write as _;
 
-use super::{LEDGER, TURN, episodes, millimetres, solve, values};
+use super::solution::{TURN, episodes, millimetres, solve, values};
 use crate::{CaseError, CaseReport, Claim, Setting, Verdict, at_most, broken, verdict};
 use linkdyn_engine::analysis::Outcome;
 
 const TURNS: u32 = 60;
+/// Energy that may be missing, by rtol [–].
+const LEDGER: f64 = 1.0;
 /// Outputs in a turn.
 pub const OUTPUTS: u32 = 360;
 /// Turns that are left out at the start, and turns of a block.

@@ -25,8 +25,8 @@ pub mod words;
 
 use serde_json::Value;
 
+use super::claim::{CaseError, Claim, Setting};
 use super::table::Table;
-use super::{CaseError, Claim, Setting};
 use linkdyn_engine::analysis;
 use linkdyn_model::bundled;
 use linkdyn_output::{Directory, Status, csv};

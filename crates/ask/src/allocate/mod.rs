@@ -1,22 +1,19 @@
 //! The cheapest tolerances that keep the limits of all outputs.
 
 mod text;
+mod written;
 
 use linkdyn_engine::analysis::Control;
+use linkdyn_model::Parameter;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{Parameter, Tolerance};
 use linkdyn_variation::{Accuracy as Found, Free, Levels, Limited, Sum, Unallocated, allocate};
 
 use crate::accuracy::{Accuracy, Deviations};
 use crate::{ModelFile, Question, Unanswered};
-use text::quantity;
+use written::set;
 
 /// Most rounds in which limits are narrowed until the worst case keeps them.
 const MOST_ROUNDS: usize = 12;
-/// Digits of tolerances and costs.
-const DIGITS: usize = 4;
-/// Where a tolerance is written with few digits, it is this much narrower at least, so that it never gets wider.
-const NARROWER: f64 = 1e-4;
 /// A limit counts as kept when it is exceeded by less than this part: round-off.
 const KEPT: f64 = 1e-9;
 
@@ -147,7 +144,9 @@ impl Allocation {
     /// # Errors
     /// A model that has faults with them.
     pub fn model(&self) -> Result<ModelFile, Unanswered> {
-        let with = self.file.with(&sets(&self.file, &self.chosen));
+        let chosen = self.chosen.iter();
+        let sets = chosen.map(|own| set(&self.file, &own.parameter, own.half));
+        let with = self.file.with(&sets.collect::<Vec<_>>());
         with.map_err(|said| self.file.refused(said))
     }
 }
@@ -240,39 +239,4 @@ fn with_tolerances(all: &[Parameter], chosen: &[Chosen]) -> Vec<Parameter> {
         }
     }
     all
-}
-
-/// `--set` of the tolerances: with few digits, never wider than they are, or with all where the middle is off the value.
-fn sets(file: &ModelFile, chosen: &[Chosen]) -> Vec<String> {
-    let set = |chosen: &Chosen| {
-        let Chosen {
-            parameter, half, ..
-        } = chosen;
-        let middle = parameter.tolerance.as_ref().map_or(0.0, Tolerance::middle);
-        let words = if middle == 0.0 {
-            let half = half * (1.0 - NARROWER);
-            quoted(parameter, quantity(file, parameter, half, DIGITS + 1))
-        } else {
-            let [low, high] = [middle - half, middle + half]
-                .map(|value| quoted(parameter, format!("{value:e}{}", unit(parameter))));
-            format!("[{low}, {high}]")
-        };
-        format!("parameters.{}.tolerance={words}", parameter.name)
-    };
-    chosen.iter().map(set).collect()
-}
-
-/// A quantity as JSON has it: a plain number as it is, with a unit in quotes.
-fn quoted(parameter: &Parameter, quantity: String) -> String {
-    match parameter.unit.as_str() {
-        "" => quantity,
-        _ => format!("\"{quantity}\""),
-    }
-}
-
-fn unit(parameter: &Parameter) -> String {
-    match parameter.unit.as_str() {
-        "" => String::new(),
-        unit => format!(" {unit}"),
-    }
 }

@@ -1,23 +1,14 @@
 //! The choice of tolerances in words, and for programs.
 
 use indexmap::IndexMap;
-use linkdyn_model::{Parameter, Tolerance};
+use linkdyn_model::Tolerance;
 use linkdyn_variation::OutputAccuracy;
 use serde::{Serialize, Serializer};
 
-use super::{Allocation, DIGITS, unit};
+use super::Allocation;
+use super::written::{DIGITS, quantity};
 use crate::text::{Page, Side, Table, number};
-use crate::{ENGINE, ModelFile, Subject};
-
-/// A deviation of a parameter in the units of the file.
-pub fn quantity(file: &ModelFile, parameter: &Parameter, value: f64, digits: usize) -> String {
-    let display = &file.model().display;
-    match parameter.unit.as_str() {
-        "m" => display.length_to(value, digits),
-        "rad" => display.angle_to(value, digits).replace('°', " deg"),
-        _ => format!("{}{}", number(value, digits), unit(parameter)),
-    }
-}
+use crate::{ENGINE, Subject};
 
 impl Allocation {
     /// What the tolerances cost together, and what they would cost to first order.

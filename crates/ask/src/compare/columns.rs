@@ -1,6 +1,6 @@
 //! What is compared: the columns requested, or the usual ones.
 
-use super::{Rung, ran};
+use super::ladder::{Rung, ran};
 use linkdyn_model::{DriverKind, GROUND, Model};
 use linkdyn_output::comparison::{Comparison, Run};
 use linkdyn_output::{Column, Trajectory};

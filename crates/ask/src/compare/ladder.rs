@@ -7,8 +7,24 @@ use linkdyn_model::Checked;
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_output::Channel;
 
-use super::Compare;
+use super::question::Compare;
 use crate::ModelFile;
+
+/// What came of a clearance model.
+#[derive(Debug)]
+pub struct Rung {
+    /// Word of the clearance model.
+    pub model: &'static str,
+    /// The model and its run, or why there is none.
+    pub ran: Result<(ModelFile, Outcome), String>,
+}
+
+/// The models that ran.
+pub fn ran(rungs: &[Rung]) -> impl Iterator<Item = (&'static str, &Outcome)> {
+    rungs
+        .iter()
+        .filter_map(|rung| Some((rung.model, &rung.ran.as_ref().ok()?.1)))
+}
 
 /// Runs with one clearance model, with the columns that are compared; else why it can't be run.
 pub fn run(

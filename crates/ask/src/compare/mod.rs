@@ -17,18 +17,10 @@ use linkdyn_output::{Column, Trajectory};
 use crate::{ModelFile, Question, Unanswered};
 use columns::{compare, curves};
 pub use figures::Figure;
+pub use ladder::Rung;
+use ladder::ran;
+pub use question::Compare;
 use question::{joints, models};
-
-/// Asks how far the models of a clearance are apart.
-#[derive(Debug, Clone, Default)]
-pub struct Compare {
-    /// Joints whose clearance model changes; `all` that have a clearance.
-    pub joints: Vec<String>,
-    /// Clearance models, the first is what the others are compared with; none: the whole ladder, as far as it can be run.
-    pub models: Vec<String>,
-    /// Patterns of the columns that are compared; none: the usual ones.
-    pub columns: Vec<String>,
-}
 
 /// How far the models of a clearance are apart.
 #[derive(Debug)]
@@ -47,15 +39,6 @@ pub struct Compared {
     pub comparison: Comparison,
     /// Of each model that ran: its outputs and peaks.
     pub curves: Vec<(&'static str, Trajectory)>,
-}
-
-/// What came of a clearance model.
-#[derive(Debug)]
-pub struct Rung {
-    /// Word of the clearance model.
-    pub model: &'static str,
-    /// The model and its run, or why there is none.
-    pub ran: Result<(ModelFile, Outcome), String>,
 }
 
 impl Question for Compare {
@@ -162,13 +145,6 @@ impl Compared {
     pub fn figures(&self) -> Vec<Figure> {
         figures::figures(&self.comparison.columns, &self.curves)
     }
-}
-
-/// The models that ran.
-fn ran(rungs: &[Rung]) -> impl Iterator<Item = (&'static str, &Outcome)> {
-    rungs
-        .iter()
-        .filter_map(|rung| Some((rung.model, &rung.ran.as_ref().ok()?.1)))
 }
 
 /// Largest difference, its time, mean and root mean square.

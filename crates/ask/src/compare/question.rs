@@ -6,6 +6,17 @@ use linkdyn_model::error::Complaint;
 use crate::near::nearest;
 use crate::{ModelFile, Unanswered};
 
+/// Asks how far the models of a clearance are apart.
+#[derive(Debug, Clone, Default)]
+pub struct Compare {
+    /// Joints whose clearance model changes; `all` that have a clearance.
+    pub joints: Vec<String>,
+    /// Clearance models, the first is what the others are compared with; none: the whole ladder, as far as it can be run.
+    pub models: Vec<String>,
+    /// Patterns of the columns that are compared; none: the usual ones.
+    pub columns: Vec<String>,
+}
+
 /// The ladder of clearance models, simple ones first.
 const LADDER: [&str; 5] = [
     "ideal",

@@ -16,6 +16,7 @@
 //! | `text`      | the same in words                                                     |
 
 mod asked;
+mod derivatives;
 mod guarded;
 mod json;
 mod optimised;

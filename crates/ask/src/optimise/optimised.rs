@@ -3,9 +3,9 @@
 use linkdyn_model::Unit;
 use linkdyn_model::optimise::Relation;
 
+use super::derivatives::Derivatives;
 use super::problem::Measured;
 use super::search::Ended;
-use super::slopes::Derivatives;
 use super::target::{Aim, Target, Variable};
 use crate::{ModelFile, Unanswered};
 

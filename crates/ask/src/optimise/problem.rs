@@ -1,7 +1,7 @@
 //! A variant as the search sees it: an objective, how far constraints are off, how far a path is from its points.
 
+use super::derivatives::{Derivatives, Last};
 use super::guarded::Guarded;
-use super::slopes::{Derivatives, Last};
 use super::target::{Aim, Target};
 use super::timing::Timing;
 use super::variants::{Call, Detail, Found, Share};

@@ -1,8 +1,9 @@
 //! The starts: each a search of its own, all at once, the same whichever thread runs them.
 
+use super::derivatives::{Derivatives, Last};
 use super::guarded::Guarded;
 use super::problem::{Measured, Problem, Record};
-use super::slopes::{Derivatives, Last, Searched};
+use super::slopes::Searched;
 use super::target::{Aim, Target};
 use super::timing::Timing;
 use super::variants::{Call, Detail, Found, Runs};

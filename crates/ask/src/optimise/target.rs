@@ -4,9 +4,11 @@ use linkdyn_engine::analysis::Prepared;
 use linkdyn_model::optimise::{Curve, Optimise, Range, Relation};
 use linkdyn_model::{Parameter, PointRef};
 
-use super::variants::OWN;
 use crate::scatter::distribution;
 use crate::{ModelFile, Unanswered};
+
+/// What names of responses begin with that the search adds.
+pub const OWN: &str = "number of the search ";
 
 /// Starts where nobody says how many.
 const STARTS: u64 = 8;

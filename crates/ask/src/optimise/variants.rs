@@ -10,13 +10,10 @@ use linkdyn_optimise::curve::Node;
 use linkdyn_output::Status;
 
 use super::path::{Path, nodes};
-use super::target::Target;
+use super::target::{OWN, Target};
 use super::timing::{Timing, sets};
 use crate::text::words::input_fault;
 use crate::{ModelFile, Unanswered};
-
-/// What names of responses begin with that the search adds.
-pub const OWN: &str = "number of the search ";
 
 /// What a variant gives.
 #[derive(Debug, Clone, PartialEq)]

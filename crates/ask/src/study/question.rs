@@ -1,11 +1,9 @@
 //! The settings of a study.
 
-use linkdyn_engine::analysis::Control;
 use linkdyn_model::study::{SampleIndices, SampleMethod};
 use linkdyn_study::design::Method;
 
-use super::{Studied, Variants};
-use crate::{ModelFile, Question, Unanswered};
+use crate::{ModelFile, Unanswered};
 
 /// What is varied, and how.
 #[derive(Debug, Clone)]
@@ -67,24 +65,6 @@ impl Study {
             indices: own.indices == SampleIndices::Sobol,
             seed: seed.or(own.seed.map(whole)).unwrap_or(1),
         })
-    }
-
-    /// The variants of a model, ready to be computed.
-    ///
-    /// # Errors
-    /// A model without responses, parameters that it does not have, nothing to vary.
-    pub fn variants(&self, file: &ModelFile) -> Result<Variants, Unanswered> {
-        Variants::new(self, file)
-    }
-}
-
-/// Threads of rayon share the work.
-impl Question for Study {
-    type Answer = Studied;
-
-    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Studied, Unanswered> {
-        let studied = self.variants(file)?.answer(control, |_| ());
-        studied.ok_or(Unanswered::Interrupted)
     }
 }
 

@@ -17,7 +17,7 @@ use super::sums::Sums;
 use super::{Chunks, Studied};
 use crate::broken::caught;
 use crate::text::words::input_fault;
-use crate::{ModelFile, Unanswered};
+use crate::{ModelFile, Question, Unanswered};
 
 /// The variants of a study, ready to be computed.
 pub struct Variants {
@@ -64,6 +64,26 @@ impl<K: FnMut(&Rows) -> Result<(), ChunkFault>> Growing<'_, K> {
     fn keep(&mut self) {
         self.failure = (self.keep)(self.rows).err();
         self.kept = Instant::now();
+    }
+}
+
+impl Study {
+    /// The variants of a model, ready to be computed.
+    ///
+    /// # Errors
+    /// A model without responses, parameters that it does not have, nothing to vary.
+    pub fn variants(&self, file: &ModelFile) -> Result<Variants, Unanswered> {
+        Variants::new(self, file)
+    }
+}
+
+/// Threads of rayon share the work.
+impl Question for Study {
+    type Answer = Studied;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Studied, Unanswered> {
+        let studied = self.variants(file)?.answer(control, |_| ());
+        studied.ok_or(Unanswered::Interrupted)
     }
 }
 

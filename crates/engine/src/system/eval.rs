@@ -184,7 +184,8 @@ impl Evaluation {
     pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
         let gravity = [system.gravity.x, system.gravity.y];
         system.mass.weigh(&system.layout, gravity, q_force);
-        inputs.pushes.add(self, inputs.time, q_force);
+        let state = || [self.position(), self.velocity()];
+        inputs.pushes.add(state, inputs.time, q_force);
         if system.forces.is_empty() && system.contacts.is_empty() {
             return;
         }
@@ -239,7 +240,8 @@ impl Evaluation {
         let at = self.kinematics(inputs);
         let forces = system.forces.iter();
         let own: f64 = forces.map(|force| force.supplied(&at)).sum();
-        own + inputs.pushes.power(system, self, inputs.time)
+        let state = || [self.position(), self.velocity()];
+        own + inputs.pushes.power(state, inputs.time)
     }
 
     /// Kinetic energy ½ vᵀ M v \[J\].

@@ -4,7 +4,6 @@
 //! M a + Jᵀ λ = Q + F       F (n): per body a force at its centre of mass [N], and a torque [N·m]
 //! ```
 
-use super::{Evaluation, System};
 use std::fmt;
 use std::sync::Arc;
 
@@ -45,13 +44,13 @@ impl PartialEq for Pushes {
 }
 
 impl Pushes {
-    /// Adds F at a point of the motion to Q (n).
-    pub(super) fn add(&self, at: &Evaluation, time: f64, force: &mut [f64]) {
+    /// Adds F at a position and velocity (n), which only a law asks for, to Q (n).
+    pub(super) fn add(&self, state: impl FnOnce() -> [Vec<f64>; 2], time: f64, force: &mut [f64]) {
         match self {
             Pushes::None => {}
             Pushes::Held(held) => force.iter_mut().zip(&**held).for_each(|(q, f)| *q += f),
             Pushes::Law(law) => {
-                let [q, v] = [at.position(), at.velocity()];
+                let [q, v] = state();
                 let mut own = vec![0.0; q.len()];
                 law(time, &q, &v, &mut own);
                 force.iter_mut().zip(own).for_each(|(q, f)| *q += f);
@@ -59,13 +58,14 @@ impl Pushes {
         }
     }
 
-    /// The power of F \[W\].
-    pub(super) fn power(&self, system: &System, at: &Evaluation, time: f64) -> f64 {
+    /// The power of F at a position and velocity (n) \[W\].
+    pub(super) fn power(&self, state: impl FnOnce() -> [Vec<f64>; 2], time: f64) -> f64 {
         if matches!(self, Pushes::None) {
             return 0.0;
         }
-        let mut force = vec![0.0; system.n()];
-        self.add(at, time, &mut force);
-        linkdyn_linear::math::dot(&force, &at.velocity())
+        let [q, v] = state();
+        let mut force = vec![0.0; v.len()];
+        self.add(|| [q, v.clone()], time, &mut force);
+        linkdyn_linear::math::dot(&force, &v)
     }
 }

@@ -1,9 +1,8 @@
 //! Expressions of the motion: what a force is, of parameters, time and quantities that move.
 
 use super::compiled::Constants;
-use super::function::Function;
 use super::guess::Guess;
-use super::number::{Binary, Number};
+use super::number::{Binary, Function, Number};
 use super::program::{Do, Program};
 use super::quantity::{Fault, Outcome, Quantity, whole};
 use super::results::{Known, Place};

@@ -198,3 +198,53 @@ impl Real for f64 {
         (self + shift).fract() == 0.0
     }
 }
+
+/// A function of one number, of two, or of others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Function {
+    One(Unary),
+    Two(Binary),
+    /// The least of all.
+    Min,
+    /// The greatest of all.
+    Max,
+    Sign,
+    Clamp,
+    Modulo,
+    /// Straight between points.
+    Table,
+}
+
+/// Name, function, least and most values that it takes.
+pub(super) const FUNCTIONS: [(&str, Function, usize, usize); 22] = [
+    ("sin", Function::One(Unary::Sin), 1, 1),
+    ("cos", Function::One(Unary::Cos), 1, 1),
+    ("tan", Function::One(Unary::Tan), 1, 1),
+    ("asin", Function::One(Unary::Asin), 1, 1),
+    ("acos", Function::One(Unary::Acos), 1, 1),
+    ("atan", Function::One(Unary::Atan), 1, 1),
+    ("atan2", Function::Two(Binary::Atan2), 2, 2),
+    ("sqrt", Function::One(Unary::Sqrt), 1, 1),
+    ("abs", Function::One(Unary::Abs), 1, 1),
+    ("min", Function::Min, 2, usize::MAX),
+    ("max", Function::Max, 2, usize::MAX),
+    ("hypot", Function::Two(Binary::Hypot), 2, 2),
+    ("exp", Function::One(Unary::Exp), 1, 1),
+    ("ln", Function::One(Unary::Ln), 1, 1),
+    ("floor", Function::One(Unary::Floor), 1, 1),
+    ("ceil", Function::One(Unary::Ceil), 1, 1),
+    ("round", Function::One(Unary::Round), 1, 1),
+    ("step", Function::One(Unary::Step), 1, 1),
+    ("sign", Function::Sign, 1, 1),
+    ("clamp", Function::Clamp, 3, 3),
+    ("mod", Function::Modulo, 2, 2),
+    ("table", Function::Table, 5, usize::MAX),
+];
+
+impl Function {
+    /// Its name; empty of a sign between values.
+    pub fn word(self) -> &'static str {
+        let row = FUNCTIONS.iter().find(|row| row.1 == self);
+        row.map_or("", |row| row.0)
+    }
+}

@@ -7,9 +7,8 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use super::dual::Dual;
-use super::function::Function;
 use super::moving::DEEPEST_STACK;
-use super::number::Number;
+use super::number::{Function, Number};
 use super::quantity::Quantity;
 use crate::dimension::Powers;
 

@@ -5,8 +5,7 @@
 
 use super::super::dimension::Powers;
 use super::super::error::Complaint;
-use super::function::Function;
-use super::number::{Binary, Number, Unary};
+use super::number::{Binary, Function, Number, Unary};
 
 /// One whole power.
 const WHOLE: i32 = 12;

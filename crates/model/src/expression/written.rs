@@ -2,7 +2,8 @@
 
 use super::super::node::excerpt;
 use super::super::units::{Unit, UnitFault, split_quantity, with_decimal_point};
-use super::function::{FUNCTIONS, PI, RESERVED};
+use super::function::{PI, RESERVED};
+use super::number::FUNCTIONS;
 use super::{Expression, Fault, Quantity};
 
 /// How a parameter is written.

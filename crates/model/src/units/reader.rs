@@ -1,20 +1,36 @@
 //! The reader of unit texts.
 
 use super::table::{SYMBOLS, nearest};
-use super::{Unit, UnitFault};
+use super::unit::{Unit, UnitFault};
 
 /// Highest power, number of factors and depth of brackets that a unit text may have.
 const MOST: i32 = 12;
 
+impl Unit {
+    /// Reads a unit text.
+    ///
+    /// # Errors
+    /// A symbol is unknown, or the text is no product, quotient or power of symbols.
+    pub fn parse(text: &str) -> Result<Unit, UnitFault> {
+        let unit = Reader::new(text).read()?;
+        let factor = unit.factor();
+        if factor.is_finite() && factor > 0.0 {
+            Ok(unit)
+        } else {
+            Err(UnitFault::TooLarge)
+        }
+    }
+}
+
 /// Reads products, quotients, powers and brackets.
-pub struct Reader<'a> {
+struct Reader<'a> {
     rest: &'a str,
     factors: i32,
 }
 
 impl<'a> Reader<'a> {
     /// Before the first sign.
-    pub fn new(text: &'a str) -> Self {
+    fn new(text: &'a str) -> Self {
         Reader {
             rest: text.trim(),
             factors: 0,
@@ -22,7 +38,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads all of it.
-    pub fn read(mut self) -> Result<Unit, UnitFault> {
+    fn read(mut self) -> Result<Unit, UnitFault> {
         if self.rest.is_empty() {
             return Err(UnitFault::Missing);
         }

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use super::Unit;
+use super::unit::Unit;
 use crate::dimension::powers;
 
 /// Lines of symbols, and of names.

@@ -1,5 +1,7 @@
 //! Units by hand.
 
+use std::f64::consts::PI;
+
 use super::table::nearest;
 use super::*;
 use crate::dimension::Dimension;

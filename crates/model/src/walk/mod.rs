@@ -20,14 +20,13 @@ mod units;
 pub use lists::{COLUMNS, entry_driven};
 pub use object::{NOTE, body_of, shape_of};
 pub use otherwise::{recorded, walk_deviating, walk_given};
-use state::Early;
 pub use units::{Driven, Units, display};
 
 use std::collections::HashMap;
 
 use crate::tree::Tree;
 
-use crate::dimension::Dimension;
+use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
 use crate::examples;
 use crate::expression::{Found, Parameter, Parameters, Recorded};
@@ -36,6 +35,7 @@ use crate::node::{Kind, Node, Origin, members};
 use crate::response::Catalogue;
 use crate::shape::{Bound, Choice, Shape};
 use crate::source::Source;
+use crate::state::State;
 use crate::suggest;
 use crate::table::Table;
 use crate::tolerance::Tolerance;
@@ -155,6 +155,16 @@ pub struct Walk<'a> {
     catalogue: Option<Catalogue>,
     /// The expressions that were met, if that is requested.
     record: Option<Vec<Recorded>>,
+}
+
+/// A state while the file is read.
+struct Early {
+    /// Its name.
+    name: String,
+    /// Its dimension, once it is known.
+    powers: Option<Powers>,
+    /// It, where nothing is wrong with it.
+    state: Option<State>,
 }
 
 impl<'a> Walk<'a> {

@@ -2,8 +2,8 @@
 
 use crate::tree::Tree;
 
-use super::Walk;
 use super::table::EntryColumn;
+use super::{Early, Walk};
 use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
 use crate::expression::{Binary, Misfit, Quantity, is_expression};
@@ -11,16 +11,6 @@ use crate::node::{Node, join, members};
 use crate::state::State;
 use crate::units::{Unit, split_quantity};
 use crate::words;
-
-/// A state while the file is read.
-pub struct Early {
-    /// Its name.
-    pub name: String,
-    /// Its dimension, once it is known.
-    pub powers: Option<Powers>,
-    /// It, where nothing is wrong with it.
-    pub state: Option<State>,
-}
 
 impl Walk<'_> {
     /// Reads the states, which formulas anywhere may name.

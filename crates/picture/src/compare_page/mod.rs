@@ -5,15 +5,17 @@
 //!
 //! | file     | does                                                          |
 //! | -------- | ------------------------------------------------------------- |
-//! | `page`   | what the page is made of; the page                            |
+//! | `parts`  | what the page is made of                                      |
+//! | `page`   | the page                                                      |
 //! | `values` | rows as compact text, thinned where room is short             |
 //! | `facts`  | contacts, tables and cut axes of a run                        |
 
 mod facts;
 mod page;
+mod parts;
 mod values;
 
-pub use page::{ComparePage, ComparedRun};
+pub use parts::{ComparePage, ComparedRun};
 
 #[cfg(test)]
 pub(crate) use page::SCRIPTS;

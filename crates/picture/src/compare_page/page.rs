@@ -1,13 +1,13 @@
-//! What the page is made of, and the page.
+//! The page.
 
 use serde_json::{Value, json};
 
 use super::facts::{apart_cuts, cuts, differences, events, extremes};
+use super::parts::{ComparePage, ComparedRun};
 use super::values::{chosen, encoded};
 use crate::html::{Live, escaped};
 use crate::palette;
-use linkdyn_output::comparison::Comparison;
-use linkdyn_output::{Column, Event, Status, Trajectory};
+use linkdyn_output::{Column, Status};
 
 const BODY: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -25,40 +25,6 @@ pub const SCRIPTS: &[&str] = &[
 const MOST_COLUMNS: usize = 40;
 /// Warnings of a run beyond these are left out.
 const MOST_NOTES: usize = 8;
-
-/// What the page is made of.
-#[derive(Debug)]
-pub struct ComparePage<'a> {
-    /// Name of the model.
-    pub model: &'a str,
-    /// What the model is about.
-    pub about: Option<&'a str>,
-    /// What changes from run to run.
-    pub changes: String,
-    /// The columns that are compared, and how far the runs are apart.
-    pub comparison: &'a Comparison,
-    /// The runs, that which the others are compared with first among those that ran.
-    pub runs: Vec<ComparedRun<'a>>,
-}
-
-/// A run of the comparison.
-#[derive(Debug)]
-pub struct ComparedRun<'a> {
-    /// What it is called.
-    pub name: &'a str,
-    /// How it ended; `None` if it was not run.
-    pub status: Option<Status>,
-    /// How it ended, in a word.
-    pub ended: String,
-    /// How it went, or why there is none, in a line.
-    pub facts: String,
-    /// What the reader should know.
-    pub notes: &'a [String],
-    /// Its outputs and the peaks between them.
-    pub table: Option<&'a Trajectory>,
-    /// What happened.
-    pub events: &'a [Event],
-}
 
 impl ComparePage<'_> {
     /// The page as the text of a file, which needs nothing else.

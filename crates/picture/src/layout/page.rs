@@ -78,7 +78,7 @@ impl Chart {
         marks(self, &x_scale, [top, bottom], &mut scene);
         for frame in &frames {
             curves(self, frame, &x_scale, &labels, &mut scene);
-            frame.peaks.marks(frame, &x_scale, em, &mut scene);
+            frame.peaks.marks([&x_scale, &frame.scale], em, &mut scene);
             y_axis(self, frame, [left, right], &mut scene);
         }
         let last = frames.len() - 1;

@@ -2,7 +2,6 @@
 
 use super::labels::legend_labels;
 use super::measures::{EDGE, LINE};
-use super::panel::Frame;
 use crate::chart::{Chart, Panel};
 use crate::font;
 use crate::scale::Scale;
@@ -104,12 +103,12 @@ impl Peaks {
     }
 
     /// Marks at the ends of the axis.
-    pub fn marks(&self, frame: &Frame, x_scale: &Scale, em: f64, scene: &mut Scene) {
+    pub fn marks(&self, [x_scale, scale]: [&Scale; 2], em: f64, scene: &mut Scene) {
         for peak in &self.all {
             let end = if peak.is_above {
-                frame.scale.end
+                scale.end
             } else {
-                frame.scale.start
+                scale.start
             };
             if let Some(x) = x_scale.place(peak.x) {
                 sign(scene, ([x, end], peak.is_above), em, peak.ink);

@@ -7,14 +7,17 @@
 //! | file     | does                                            |
 //! | -------- | ----------------------------------------------- |
 //! | `parts`  | what the page is made of                        |
+//! | `room`   | how much it has room for                        |
 //! | `values` | rows and motions as compact numbers             |
 //! | `page`   | the page                                        |
 
 mod page;
 mod parts;
+mod room;
 mod values;
 
-pub use parts::{Motion, Played, StudyPage, Variable, Variant, most_motions, most_rows};
+pub use parts::{Motion, Played, StudyPage, Variable, Variant};
+pub use room::{most_motions, most_rows};
 
 #[cfg(test)]
 pub(crate) use page::SCRIPTS;

@@ -2,19 +2,10 @@
 
 use serde_json::Value;
 
-use super::values::{FEWEST_INSTANTS, instant_bytes};
 use crate::accuracy_page::Unit;
 use crate::mechanism::Drawing;
 use crate::poses::Pose;
 use crate::shape::Shape;
-
-/// Variants that are drawn, at most: more points than that are one blot.
-const MOST_ROWS: usize = 20_000;
-/// Variants that can be played, at most.
-const MOST_MOTIONS: usize = 200;
-/// Bytes that numbers of variants may take, before base64 makes a third more of them, and those of motions.
-const ROOM_ROWS: usize = 2_000_000;
-const ROOM_MOTIONS: usize = 900_000;
 
 /// What the page is made of; all numbers in SI.
 #[derive(Debug)]
@@ -101,21 +92,3 @@ impl Motion {
         [self.shape.for_page(), Drawing::of(&self.shape, &rows).0]
     }
 }
-
-/// How many variants of so many columns a page draws.
-pub fn most_rows(columns: usize) -> usize {
-    (ROOM_ROWS / super::values::row_bytes(columns)).clamp(1, MOST_ROWS)
-}
-
-/// How many motions of so many moving bodies a page plays.
-pub fn most_motions(bodies: usize) -> usize {
-    (ROOM_MOTIONS / (FEWEST_INSTANTS * instant_bytes(bodies))).min(MOST_MOTIONS)
-}
-
-/// How many instants each of so many motions has in the page, at most.
-pub(super) fn most_instants(motions: usize, bodies: usize) -> usize {
-    (ROOM_MOTIONS / (motions.max(1) * instant_bytes(bodies))).clamp(2, MOST_INSTANTS)
-}
-
-/// More instants than this look like a continuous motion.
-const MOST_INSTANTS: usize = 121;

@@ -2,27 +2,12 @@
 
 use serde_json::{Value, json};
 
-use super::parts::{Motion, StudyPage, Variable, most_instants};
+use super::parts::{Motion, StudyPage, Variable};
+use super::room::most_instants;
 use crate::numbers::{Numbers, evenly};
 
-/// Size of a number \[bytes\].
-const BYTES: usize = 4;
-/// Columns of a row besides its values: its number in two parts, and its reason.
-const OWN: usize = 3;
 /// Numbers of variants are split here, so that both parts are exact.
 const PART: u64 = 1 << 20;
-/// With fewer instants a motion jerks.
-pub const FEWEST_INSTANTS: usize = 24;
-
-/// Size of a row \[bytes\].
-pub fn row_bytes(columns: usize) -> usize {
-    BYTES * (OWN + columns)
-}
-
-/// Size of an instant of a motion \[bytes\].
-pub fn instant_bytes(bodies: usize) -> usize {
-    BYTES * (1 + 3 * bodies)
-}
 
 /// The numbers of a page.
 #[derive(Debug)]

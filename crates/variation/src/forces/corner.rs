@@ -1,8 +1,8 @@
 //! The worst that can be found: every source at one of its ends, gaps to the sides to which the loads press them there.
 
 use super::loaded::{Carried, Loaded, Systems, carried_over};
+use super::question::{Posed, extreme, room};
 use super::slopes::Slope;
-use super::{Posed, extreme, room};
 use crate::ascent::Farthest;
 use crate::limits::MOST_PASSES;
 use crate::source::{Pair, Room};

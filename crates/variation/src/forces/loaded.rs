@@ -1,6 +1,6 @@
 //! A mechanism whose sources are off, and what it carries then: the answer of statics, or of inverse dynamics.
 
-use super::{Making, Posed, Question};
+use super::question::{Force, ForceQuestion, Making, Owner, Posed};
 use crate::limits::{MOST_PASSES, SAME};
 use crate::source::{Acts, Kind, Pair, Source};
 use linkdyn_engine::analysis::clearance_link::forces;
@@ -10,7 +10,7 @@ use linkdyn_engine::element::Measure;
 use linkdyn_engine::mechanism::driven::Driven;
 use linkdyn_engine::motion::Law;
 use linkdyn_engine::system::{Inputs, System};
-use linkdyn_output::{DriverQuantity, JointQuantity};
+use linkdyn_output::DriverQuantity;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -18,23 +18,6 @@ use std::sync::Arc;
 const SAFE_CONTRACTION: f64 = 0.25;
 /// A pin or guide whose force is below this part of the largest has no side that it presses: it is round-off.
 const UNLOADED: f64 = 1e-8;
-
-/// A force that is asked about.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Force {
-    pub owner: Owner,
-    /// `N` or `N*m`.
-    pub unit: &'static str,
-}
-
-/// Whose force it is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Owner {
-    /// What a driver exerts.
-    Driver(usize, DriverQuantity),
-    /// What a joint exerts on its second body.
-    Joint(usize, JointQuantity),
-}
 
 /// What a mechanism carries at a pose.
 #[derive(Debug, Clone)]
@@ -62,12 +45,12 @@ pub(super) enum Without {
 pub(super) struct Systems<'f> {
     pub nominal: Arc<System>,
     pub sources: &'f [Source],
-    pub question: &'f Question<'f>,
+    pub question: &'f ForceQuestion<'f>,
     made: HashMap<Vec<u64>, Option<Arc<System>>>,
 }
 
 impl<'f> Systems<'f> {
-    pub fn new(nominal: &System, sources: &'f [Source], question: &'f Question<'f>) -> Self {
+    pub fn new(nominal: &System, sources: &'f [Source], question: &'f ForceQuestion<'f>) -> Self {
         Systems {
             nominal: Arc::new(nominal.clone()),
             sources,

@@ -21,54 +21,32 @@
 
 mod corner;
 mod loaded;
+mod question;
 mod slopes;
 
-pub(super) use loaded::{Force, Owner};
-
 use super::answer::{Contribution, OutputAccuracy, PoseAccuracy};
-use super::displaced::NominalPose;
+use super::poses::NominalPose;
 use super::poses::Poses;
-use super::source::{Pair, Room, Source, length};
-use super::statistics::{Pins, Scatter, capability};
-use super::{Levels, Wanted};
+use super::source::Scatter;
+use super::source::{Pair, Source, length};
+use super::statistics::{Pins, capability};
+use super::wanted::Levels;
 use corner::Corner;
 use linkdyn_engine::analysis::in_line::{singular_text, stressed_rows};
 use linkdyn_engine::analysis::instants::OutputInstant;
 use linkdyn_engine::system::System;
 use loaded::{Carried, Loaded, Systems, Without};
+pub(super) use question::{Force, ForceQuestion, Making, Owner};
+use question::{Posed, room};
 use slopes::{Slope, slopes};
-
-/// Makes the system with parameters (in the order of their sources) and zones (in theirs) off; `None` if that is no legal
-/// model.
-pub(super) type Making<'c> = dyn Fn(&[f64], &[[f64; 2]]) -> Option<System> + Sync + 'c;
 
 /// Errors of derivatives above this part of what all sources do, or a thousandth of it of the force itself, leave no first order:
 /// a kink leaves as much as the derivative.
 const UNSURE: f64 = 1e-6;
 
-/// What is asked of forces.
-pub(super) struct Question<'q> {
-    /// Forces with their places among all outputs.
-    pub outputs: Vec<(usize, Wanted<Force>)>,
-    /// Nothing moves.
-    pub at_rest: bool,
-    /// What the number of each source is measured by [SI].
-    pub scales: Vec<f64>,
-    pub making: &'q Making<'q>,
-}
-
-/// A pose, and the forces that are asked about there.
-pub(super) struct Posed {
-    pub stand: NominalPose,
-    /// Driver and value that say which pose it is, whatever its motion.
-    pub exact: Option<(usize, f64)>,
-    /// With the numbers of their outputs.
-    pub forces: Vec<(usize, Force)>,
-}
-
 /// The poses that are asked about: those of forces at a value of a driver (`held`), and all instants.
 pub(super) fn poses(
-    question: &Question,
+    question: &ForceQuestion,
     held: Vec<Option<NominalPose>>,
     instants: &[OutputInstant],
     way: &mut Poses,
@@ -105,7 +83,7 @@ pub(super) fn answer(
     let blank = question
         .outputs
         .iter()
-        .map(|(place, wanted)| (*place, wanted.blank()));
+        .map(|(place, wanted)| (*place, OutputAccuracy::blank(wanted)));
     let mut found: Vec<(usize, OutputAccuracy)> = blank.collect();
     if found.is_empty() {
         return found;
@@ -209,22 +187,6 @@ fn lack(system: &System, posed: &Posed, without: Without) -> String {
             )
         }
     }
-}
-
-/// The numbers of a source: of a clearance one, from its least to its greatest.
-fn room(source: &Source) -> Room {
-    source.clearance().map_or(source.room, Room::Line)
-}
-
-/// How many numbers derivatives are taken by.
-fn numbers(source: &Source) -> usize {
-    room(source).numbers()
-}
-
-/// Where a source carries a force farthest up.
-fn extreme(source: &Source, g: Pair) -> Pair {
-    let room = room(source);
-    room.extreme(g).unwrap_or_else(|| room.rest())
 }
 
 /// Mean and variance of the force by a source: a clearance is anywhere from least to greatest, its side that of the load.

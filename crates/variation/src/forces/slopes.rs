@@ -10,7 +10,7 @@
 //! The difference of two columns of that table says how good the best of them is.
 
 use super::loaded::{Carried, Loaded, Systems, Without, carried_over};
-use super::{Posed, numbers};
+use super::question::{Posed, numbers};
 
 /// First step, as a part of what the source's number is measured by: where the series holds for most.
 const FIRST_STEP: f64 = 0.02;

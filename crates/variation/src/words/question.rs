@@ -4,8 +4,9 @@ use super::super::corners::Corners;
 use super::super::poses::{Halt, Unmet};
 use super::super::source::Acts;
 use super::super::{Accuracy, Levels, Question, forces, run};
+use super::dimensions::{dimension_values, dimensions};
 use super::forces::{making, refuse, scales};
-use super::names::{Names, dimension_values, dimensions};
+use super::names::Names;
 use super::outputs::wanted;
 use super::parameters::{Followed, Parameters, Straightness};
 use super::sources::{levels, pins, sources};
@@ -123,7 +124,7 @@ pub fn accuracy(
             .filter(|_| !zone_bears_wheel)
             .and_then(|known| known.slack),
         outputs: outputs.positions,
-        forces: forces::Question {
+        forces: forces::ForceQuestion {
             outputs: outputs.forces,
             at_rest,
             scales: scales(&system, &sources, &followed),

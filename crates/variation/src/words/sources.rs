@@ -1,8 +1,9 @@
 //! What may be off: joints, points, drivers, parameters.
 
 use super::super::Levels;
+use super::super::source::Scatter;
 use super::super::source::{Acts, Kind, Room, Source};
-use super::super::statistics::{Pins, Scatter};
+use super::super::statistics::Pins;
 use super::gears::gear_curvature;
 use super::names::Names;
 use super::parameters::{Followed, Parameters, idle, kinks, times};

@@ -2,9 +2,10 @@
 
 use super::Member;
 use super::around::Around;
+use super::needs::Depth;
 use super::needs::Needs;
 use super::perturbed::place;
-use super::slopes::{Along, Depth, Slopes, Wanted};
+use super::slopes::{Along, Slopes, Wanted};
 use crate::analysis::question::Kind;
 use crate::analysis::sample::Sample;
 use crate::mechanism::driven::Driven;

@@ -10,11 +10,21 @@ use super::super::needed::behind;
 use super::super::responses::Dual;
 use super::super::run::Prepared;
 use super::super::sample::Sample;
-use super::slopes::Depth;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_output::{
     BodyQuantity, Channel, Column, DriverQuantity, JointQuantity, LoadQuantity, RelativeQuantity,
 };
+
+/// How much of an instant is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Depth {
+    /// Positions.
+    Positions,
+    /// Velocities and accelerations, too.
+    Motion,
+    /// Multipliers, too.
+    Forces,
+}
 
 /// The columns that responses need.
 pub struct Needs {

@@ -14,8 +14,8 @@
 mod gradient;
 
 use super::mechanisms::Mechanisms;
+use super::needs::Depth;
 use super::needs::{Room, State};
-use super::slopes::Depth;
 use super::track::{Middle, SMOOTH, Station, Track};
 use crate::analysis::clearance_link::{balance, carried};
 use crate::analysis::derived::Derived;

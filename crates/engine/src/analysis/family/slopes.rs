@@ -18,7 +18,7 @@
 mod rest;
 
 use super::around::Around;
-use super::needs::{Needs, Room, State};
+use super::needs::{Depth, Needs, Room, State};
 use super::stencil::{PLACES, STEP, Sums};
 use crate::analysis::derived::Derived;
 use crate::analysis::sample::Sample;
@@ -33,17 +33,6 @@ pub enum Along<'a> {
     Time(f64),
     /// A motion of the mechanism at rest, in steps [–].
     Motion(f64),
-}
-
-/// How much of an instant is wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Depth {
-    /// Positions.
-    Positions,
-    /// Velocities and accelerations, too.
-    Motion,
-    /// Multipliers, too.
-    Forces,
 }
 
 /// The columns that are wanted.

@@ -1,8 +1,5 @@
 //! The linear systems of equations that don't solve their own, at order 5: J by differences, and dense factors.
 
-use super::{Age, Radau};
-use crate::integrate::control::Rejection;
-use crate::integrate::{Ode, Refused};
 use linkdyn_linear::math::dot;
 use linkdyn_linear::small::SmallLu;
 
@@ -11,10 +8,10 @@ use linkdyn_linear::small::SmallLu;
 /// f depends on the leading m of the n components only: the other columns of J are zero, and the other rows are solved one by one.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dense {
-    n: usize,
-    m: usize,
+    pub n: usize,
+    pub m: usize,
     /// J without its zero columns (n × m) by rows.
-    jacobian: Vec<f64>,
+    pub jacobian: Vec<f64>,
     /// The real s.
     real: f64,
     /// The complex one: real and imaginary part.
@@ -98,55 +95,5 @@ impl Dense {
 
     fn row(&self, i: usize) -> &[f64] {
         &self.jacobian[i * self.m..][..self.m]
-    }
-}
-
-impl Radau {
-    /// J at the last accepted point: by the equations, or by differences.
-    pub(super) fn linearise(&mut self, ode: &mut dyn Ode, h: f64) -> Result<(), Rejection> {
-        self.counters.jacobians += 1;
-        match ode.implicit() {
-            Some(own) => own.linearise().map_err(|Refused| Rejection::Refused)?,
-            None => self.differentiate(ode, h)?,
-        }
-        (self.age, self.factored) = (Age::Fresh, None);
-        Ok(())
-    }
-
-    /// J by differences, each towards where the step h leads, or to the other side where that is refused.
-    fn differentiate(&mut self, ode: &mut dyn Ode, h: f64) -> Result<(), Rejection> {
-        let (n, m) = (self.dense.n, self.dense.m);
-        for j in 0..m {
-            let moved = h * self.slope[j];
-            let size = self.y[j]
-                .abs()
-                .max(moved.abs())
-                .max(self.given.atol[j] / self.given.rtol);
-            let delta = (f64::EPSILON.sqrt() * size).copysign(moved);
-            self.stage.copy_from_slice(&self.y);
-            self.stage[j] = self.y[j] + delta;
-            if self.eval(ode, self.t).is_err() {
-                self.stage[j] = self.y[j] - delta;
-                self.eval(ode, self.t)?;
-            }
-            let delta = self.stage[j] - self.y[j];
-            for i in 0..n {
-                self.dense.jacobian[i * m + j] = (self.room[i] - self.slope[i]) / delta;
-            }
-        }
-        Ok(())
-    }
-
-    /// Makes ready to solve with s − J, of one real s and of complex ones; false where it can't.
-    pub(super) fn factor_systems(
-        &mut self,
-        ode: &mut dyn Ode,
-        real: f64,
-        complex: &[[f64; 2]],
-    ) -> bool {
-        match ode.implicit() {
-            Some(own) => own.factor(real, complex),
-            None => self.dense.factor(real, complex[0]),
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! The stages of a step: factors, Newton's iteration, error, and the polynomial through them.
 
-use super::{Converged, ITERATIONS, MOST, Radau};
+use super::{Age, Converged, ITERATIONS, MOST, Radau};
 use crate::integrate::control::{Rejection, finite, fourth_root, rms, weigh};
 use crate::integrate::radau_tableau::TABLEAUS;
 use crate::integrate::{Ode, Refused};
@@ -12,6 +12,54 @@ impl Radau {
         ode.eval(t, &self.stage, &mut self.room)
             .and_then(|()| finite(&self.room))
             .map_err(|Refused| Rejection::Refused)
+    }
+
+    /// J at the last accepted point: by the equations, or by differences.
+    pub(super) fn linearise(&mut self, ode: &mut dyn Ode, h: f64) -> Result<(), Rejection> {
+        self.counters.jacobians += 1;
+        match ode.implicit() {
+            Some(own) => own.linearise().map_err(|Refused| Rejection::Refused)?,
+            None => self.differentiate(ode, h)?,
+        }
+        (self.age, self.factored) = (Age::Fresh, None);
+        Ok(())
+    }
+
+    /// J by differences, each towards where the step h leads, or to the other side where that is refused.
+    fn differentiate(&mut self, ode: &mut dyn Ode, h: f64) -> Result<(), Rejection> {
+        let (n, m) = (self.dense.n, self.dense.m);
+        for j in 0..m {
+            let moved = h * self.slope[j];
+            let size = self.y[j]
+                .abs()
+                .max(moved.abs())
+                .max(self.given.atol[j] / self.given.rtol);
+            let delta = (f64::EPSILON.sqrt() * size).copysign(moved);
+            self.stage.copy_from_slice(&self.y);
+            self.stage[j] = self.y[j] + delta;
+            if self.eval(ode, self.t).is_err() {
+                self.stage[j] = self.y[j] - delta;
+                self.eval(ode, self.t)?;
+            }
+            let delta = self.stage[j] - self.y[j];
+            for i in 0..n {
+                self.dense.jacobian[i * m + j] = (self.room[i] - self.slope[i]) / delta;
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes ready to solve with s − J, of one real s and of complex ones; false where it can't.
+    pub(super) fn factor_systems(
+        &mut self,
+        ode: &mut dyn Ode,
+        real: f64,
+        complex: &[[f64; 2]],
+    ) -> bool {
+        match ode.implicit() {
+            Some(own) => own.factor(real, complex),
+            None => self.dense.factor(real, complex[0]),
+        }
     }
 
     /// Factors γ/h − J and (α − iβ)/h − J.

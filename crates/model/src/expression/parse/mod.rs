@@ -5,8 +5,8 @@ mod response;
 
 pub use response::EQUATIONS;
 
-use super::function::{FUNCTIONS, Function, PI};
-use super::number::{Binary, Unary};
+use super::function::PI;
+use super::number::{Binary, FUNCTIONS, Function, Unary};
 use super::program::Do;
 use super::quantity::{Fault, Quantity};
 use super::{Known, LONGEST, Misfit, Results, Step};

@@ -6,7 +6,8 @@
 //! result   = word { "." word } | "'" any text "'"
 //! ```
 
-use super::super::function::{FUNCTIONS, PI};
+use super::super::function::PI;
+use super::super::number::FUNCTIONS;
 use super::super::program::Do;
 use super::super::quantity::{Fault, Quantity};
 use super::super::{Misfit, Reduction, Results, Step};
