@@ -191,12 +191,10 @@ impl Changes {
                     is_guide: false,
                 });
             }
-            // The question is refused where there is one.
-            JointRole::Cam => self.are_unbounded = true,
-            // No question is answered of a mechanism with one.
-            JointRole::Rack { .. } | JointRole::Belt | JointRole::Bushing => {}
             // It has no rows.
             JointRole::Contact => {}
+            // Questions about a mechanism with another kind are refused.
+            _ => self.are_unbounded = true,
         }
     }
 

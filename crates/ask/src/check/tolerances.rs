@@ -161,12 +161,7 @@ fn of_joint(name: &str, joint: &Joint, units: &DisplayUnits) -> Option<String> {
             let backlash = units.length((*backlash)?);
             Some(format!("{name} {backlash} of backlash"))
         }
-        JointKind::Fixed { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_) => None,
+        _ => None,
     }
 }
 

@@ -82,18 +82,8 @@ fn without(name: &str, kind: &JointKind) -> Complaint {
         JointKind::Revolute { .. } => {
             Complaint::new(path, "has no \"clearance\" whose model could be changed").hint(ADD)
         }
-        JointKind::Prismatic { .. }
-        | JointKind::Slot { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Fixed { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_) => {
-            Complaint::new(path, "only a revolute joint can have a clearance")
-                .hint("name another joint")
-        }
+        _ => Complaint::new(path, "only a revolute joint can have a clearance")
+            .hint("name another joint"),
     }
 }
 

@@ -175,12 +175,8 @@ impl Mechanism {
                 JointKind::Contact { radius, .. } => [0.0, *radius],
                 JointKind::Rack { rack } => [rack.radius.abs(), 0.0],
                 JointKind::Belt { belt } => belt.radii,
-                JointKind::Revolute { .. }
-                | JointKind::Prismatic { .. }
-                | JointKind::Slot { .. }
-                | JointKind::Bushing
-                | JointKind::Fixed => [0.0; 2],
                 JointKind::Cam(cam) => [cam.radius(), cam.roller.or(cam.reach).unwrap_or(0.0)],
+                _ => [0.0; 2],
             };
             for (end, radius) in ends.into_iter().zip(radii) {
                 self.frame.extent.add(end, radius);

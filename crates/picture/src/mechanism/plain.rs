@@ -76,15 +76,11 @@ impl Mechanism {
             joint_names: joints.clone().map(|joint| joint.name.clone()).collect(),
             holds: joints
                 .clone()
-                .map(|joint| match joint.kind {
-                    JointKind::Revolute { .. } | JointKind::Bushing | JointKind::Fixed => true,
-                    JointKind::Prismatic { .. }
-                    | JointKind::Slot { .. }
-                    | JointKind::Gear { .. }
-                    | JointKind::Contact { .. }
-                    | JointKind::Cam(_)
-                    | JointKind::Rack { .. }
-                    | JointKind::Belt { .. } => false,
+                .map(|joint| {
+                    matches!(
+                        joint.kind,
+                        JointKind::Revolute { .. } | JointKind::Bushing | JointKind::Fixed
+                    )
                 })
                 .collect(),
             joints: joints.map(|joint| joint.between.map(&at)).collect(),

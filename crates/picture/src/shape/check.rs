@@ -79,15 +79,7 @@ impl Shape {
     fn named_bodies(&self) -> impl Iterator<Item = usize> {
         let carriers = self.joints.iter().filter_map(|joint| match &joint.kind {
             JointKind::Gear { gear, .. } => Some((*gear)?.carrier),
-            JointKind::Revolute { .. }
-            | JointKind::Prismatic { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Fixed
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing => None,
+            _ => None,
         });
         let driven = self.drivers.iter().flat_map(|driver| match driver.kind {
             DriverKind::Rotation {

@@ -84,9 +84,9 @@ impl Shape {
                 JointKind::Gear { ratio, .. } => DrawnKind::Gear { ratio },
                 JointKind::Rack { rack } => DrawnKind::Rack { rack },
                 JointKind::Belt { belt } => DrawnKind::Belt { belt },
-                // 0.1 knew no contacts, no cams and no bushings.
                 JointKind::Fixed => DrawnKind::Fixed,
-                JointKind::Cam(_) | JointKind::Contact { .. } | JointKind::Bushing => return None,
+                // 0.1 knew no contacts, no cams and no bushings.
+                _ => return None,
             };
             let between = joint.between.map(at);
             Some(DrawnJoint { between, kind })

@@ -314,14 +314,7 @@ impl Joint {
                 let length = u.hypot(v);
                 (length > 0.0).then(|| [u / length, v / length])
             }
-            JointKind::Revolute { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Fixed
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing => None,
+            _ => None,
         }
     }
 

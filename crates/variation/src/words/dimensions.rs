@@ -105,8 +105,6 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
                 }
             }
             JointKind::Fixed { .. } => angle(found, row + 2),
-            // Its outline holds nothing where nothing touches.
-            JointKind::Contact { .. } => {}
             JointKind::Gear { angle: own, .. } => {
                 let Some(carrier) = carrier(system, index) else {
                     continue;
@@ -124,12 +122,8 @@ fn add_joints(found: &mut Dimensions, model: &Model, system: &System) {
                     None => add_mesh(found, model, joint, (row, carrier)),
                 }
             }
-            // the question is refused where there is one
-            JointKind::Cam(_)
-            | JointKind::Revolute { .. }
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => {}
+            // A pin has none, an outline holds nothing if nothing touches, and other kinds are refused.
+            _ => {}
         }
     }
 }
@@ -153,13 +147,7 @@ pub(super) fn dimension_values(model: &Model, system: &System) -> Vec<f64> {
                     values.push(angle.unwrap_or_else(|| mesh(model, system, index, carrier)));
                 }
             }
-            // the question is refused where there is one
-            JointKind::Revolute { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => {}
+            _ => {}
         }
     }
     for data in model.drivers.values() {

@@ -119,12 +119,7 @@ fn clearance(kind: &JointKind, system: &System, index: usize) -> Option<(f64, Ro
             let half = 0.5 * backlash * gear_curvature(system, index);
             Some((half, line(half)))
         }
-        JointKind::Fixed { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_) => None,
+        _ => None,
     }
 }
 

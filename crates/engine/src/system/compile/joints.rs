@@ -285,14 +285,7 @@ impl Compiler<'_> {
                     Measure::Length,
                 )
             }
-            JointKind::Slot { .. }
-            | JointKind::Gear { .. }
-            | JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => return None,
+            _ => return None,
         };
         // Blocks stand in the order of the joints.
         self.system.dependent_forces.push(DependentForce {
