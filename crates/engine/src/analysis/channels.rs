@@ -29,12 +29,12 @@ pub struct Contents {
 #[derive(Debug, Clone)]
 pub struct Channels {
     columns: Arc<[Column]>,
-    stretches: Vec<Stretch>,
+    stretches: Vec<ColumnGroup>,
 }
 
 /// Neighbouring columns of one owner.
 #[derive(Debug, Clone)]
-enum Stretch {
+enum ColumnGroup {
     Time,
     Body(usize, Vec<BodyQuantity>),
     Point(usize, Vec<PointQuantity>),
@@ -78,11 +78,11 @@ impl Channels {
 
     /// Some of these columns, in the same order.
     pub fn of(columns: Vec<Column>) -> Self {
-        let mut stretches: Vec<Stretch> = Vec::new();
+        let mut stretches: Vec<ColumnGroup> = Vec::new();
         for channel in columns.iter().filter_map(|column| column.channel) {
             let goes_on = stretches.last_mut().is_some_and(|last| last.take(channel));
             if !goes_on {
-                stretches.extend(Stretch::begin(channel));
+                stretches.extend(ColumnGroup::begin(channel));
             }
         }
         Channels {
@@ -99,26 +99,29 @@ impl Channels {
     /// Whether a position is all that they need.
     pub fn are_positions(&self) -> bool {
         self.stretches.iter().all(|stretch| match stretch {
-            Stretch::Time => true,
-            Stretch::Body(_, wanted) => wanted.iter().all(|one| POSES.contains(one)),
-            Stretch::Point(_, wanted) => wanted.iter().all(|one| PLACES.contains(one)),
-            Stretch::Driver(_, wanted) => wanted.iter().all(|one| *one == DriverQuantity::Value),
-            Stretch::Joint(..) | Stretch::Stroke(_) | Stretch::State(..) | Stretch::Energy(_) => {
-                false
+            ColumnGroup::Time => true,
+            ColumnGroup::Body(_, wanted) => wanted.iter().all(|one| POSES.contains(one)),
+            ColumnGroup::Point(_, wanted) => wanted.iter().all(|one| PLACES.contains(one)),
+            ColumnGroup::Driver(_, wanted) => {
+                wanted.iter().all(|one| *one == DriverQuantity::Value)
             }
+            ColumnGroup::Joint(..)
+            | ColumnGroup::Stroke(_)
+            | ColumnGroup::State(..)
+            | ColumnGroup::Energy(_) => false,
         })
     }
 
     /// Whether they need what joints and drivers carry.
     pub fn have_forces(&self) -> bool {
         self.stretches.iter().any(|stretch| match stretch {
-            Stretch::Joint(..) | Stretch::Stroke(_) => true,
-            Stretch::Driver(_, wanted) => wanted.contains(&DriverQuantity::Effort),
-            Stretch::Time
-            | Stretch::Body(..)
-            | Stretch::Point(..)
-            | Stretch::State(..)
-            | Stretch::Energy(_) => false,
+            ColumnGroup::Joint(..) | ColumnGroup::Stroke(_) => true,
+            ColumnGroup::Driver(_, wanted) => wanted.contains(&DriverQuantity::Effort),
+            ColumnGroup::Time
+            | ColumnGroup::Body(..)
+            | ColumnGroup::Point(..)
+            | ColumnGroup::State(..)
+            | ColumnGroup::Energy(_) => false,
         })
     }
 
@@ -134,33 +137,33 @@ impl Channels {
         let at = evaluation.kinematics(inputs);
         for stretch in &self.stretches {
             match stretch {
-                Stretch::Time => row.push(inputs.time),
-                Stretch::Body(body, wanted) => {
+                ColumnGroup::Time => row.push(inputs.time),
+                ColumnGroup::Body(body, wanted) => {
                     let reading = BodyReading::new(system, &at, *body, sample);
                     row.extend(wanted.iter().map(|&quantity| reading.value(quantity)));
                 }
-                Stretch::Point(point, wanted) => {
+                ColumnGroup::Point(point, wanted) => {
                     let reading = PointReading::new(system, &at, *point, sample);
                     row.extend(wanted.iter().map(|&quantity| reading.value(quantity)));
                 }
-                Stretch::Joint(joint, wanted) => {
+                ColumnGroup::Joint(joint, wanted) => {
                     let reading = JointReading::new(system, &at, inputs, *joint, sample);
                     row.extend(wanted.iter().map(|&quantity| reading.value(quantity)));
                 }
-                Stretch::Driver(driver, wanted) => {
+                ColumnGroup::Driver(driver, wanted) => {
                     row.extend(wanted.iter().map(|quantity| match quantity {
                         DriverQuantity::Value => inputs.drive[*driver][0],
                         DriverQuantity::Effort => sample.lambda[system.joint_rows() + driver],
                     }));
                 }
-                Stretch::Stroke(force) => row.push(stroke(system, *force, sample)),
-                Stretch::State(state, wanted) => {
+                ColumnGroup::Stroke(force) => row.push(stroke(system, *force, sample)),
+                ColumnGroup::State(state, wanted) => {
                     row.extend(wanted.iter().map(|quantity| match quantity {
                         StateQuantity::Value => inputs.states[*state],
                         StateQuantity::Rate => system.states[*state].rate.value(&at),
                     }));
                 }
-                Stretch::Energy(wanted) => row.extend(
+                ColumnGroup::Energy(wanted) => row.extend(
                     wanted
                         .iter()
                         .map(|&quantity| energy(system, evaluation, inputs, sample, quantity)),
@@ -192,18 +195,18 @@ impl Channels {
     }
 }
 
-impl Stretch {
+impl ColumnGroup {
     /// The stretch that begins with a channel; `None` if it is not computed with the rows.
-    fn begin(channel: Channel) -> Option<Stretch> {
+    fn begin(channel: Channel) -> Option<ColumnGroup> {
         match channel {
-            Channel::Time => Some(Stretch::Time),
-            Channel::Body(body, quantity) => Some(Stretch::Body(body, vec![quantity])),
-            Channel::Point(point, quantity) => Some(Stretch::Point(point, vec![quantity])),
-            Channel::Joint(joint, quantity) => Some(Stretch::Joint(joint, vec![quantity])),
-            Channel::Driver(driver, quantity) => Some(Stretch::Driver(driver, vec![quantity])),
-            Channel::State(state, quantity) => Some(Stretch::State(state, vec![quantity])),
-            Channel::Energy(quantity) => Some(Stretch::Energy(vec![quantity])),
-            Channel::Load(force, LoadQuantity::Stop) => Some(Stretch::Stroke(force)),
+            Channel::Time => Some(ColumnGroup::Time),
+            Channel::Body(body, quantity) => Some(ColumnGroup::Body(body, vec![quantity])),
+            Channel::Point(point, quantity) => Some(ColumnGroup::Point(point, vec![quantity])),
+            Channel::Joint(joint, quantity) => Some(ColumnGroup::Joint(joint, vec![quantity])),
+            Channel::Driver(driver, quantity) => Some(ColumnGroup::Driver(driver, vec![quantity])),
+            Channel::State(state, quantity) => Some(ColumnGroup::State(state, vec![quantity])),
+            Channel::Energy(quantity) => Some(ColumnGroup::Energy(vec![quantity])),
+            Channel::Load(force, LoadQuantity::Stop) => Some(ColumnGroup::Stroke(force)),
             Channel::Relative(..)
             | Channel::Load(..)
             | Channel::Shaking(_)
@@ -215,27 +218,29 @@ impl Stretch {
     /// Takes the next channel where it has the same owner.
     fn take(&mut self, channel: Channel) -> bool {
         match (self, channel) {
-            (Stretch::Body(own, wanted), Channel::Body(body, quantity)) if *own == body => {
+            (ColumnGroup::Body(own, wanted), Channel::Body(body, quantity)) if *own == body => {
                 wanted.push(quantity);
                 true
             }
-            (Stretch::Point(own, wanted), Channel::Point(point, quantity)) if *own == point => {
+            (ColumnGroup::Point(own, wanted), Channel::Point(point, quantity)) if *own == point => {
                 wanted.push(quantity);
                 true
             }
-            (Stretch::Joint(own, wanted), Channel::Joint(joint, quantity)) if *own == joint => {
+            (ColumnGroup::Joint(own, wanted), Channel::Joint(joint, quantity)) if *own == joint => {
                 wanted.push(quantity);
                 true
             }
-            (Stretch::Driver(own, wanted), Channel::Driver(driver, quantity)) if *own == driver => {
+            (ColumnGroup::Driver(own, wanted), Channel::Driver(driver, quantity))
+                if *own == driver =>
+            {
                 wanted.push(quantity);
                 true
             }
-            (Stretch::State(own, wanted), Channel::State(state, quantity)) if *own == state => {
+            (ColumnGroup::State(own, wanted), Channel::State(state, quantity)) if *own == state => {
                 wanted.push(quantity);
                 true
             }
-            (Stretch::Energy(wanted), Channel::Energy(quantity)) => {
+            (ColumnGroup::Energy(wanted), Channel::Energy(quantity)) => {
                 wanted.push(quantity);
                 true
             }

@@ -13,17 +13,17 @@ use linkdyn_output::{Column, Trajectory};
 
 /// What may follow from rows, beside applied forces and shaking force and moment.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Wanted {
+pub(super) struct DerivedWanted {
     /// `None` if none is requested, `None` within if its driver or body is not there.
     pub transmission: Option<Option<Transmission>>,
     /// Columns that results have if they are requested.
     pub following: DerivedSelection,
 }
 
-impl Wanted {
+impl DerivedWanted {
     /// All that responses may name.
     pub fn all(system: &System, question: &Question) -> Self {
-        Wanted {
+        DerivedWanted {
             transmission: question.transmission,
             following: DerivedSelection::all(system, question.contents),
         }
@@ -43,7 +43,7 @@ pub(super) struct Derived<'s> {
 
 impl<'s> Derived<'s> {
     /// Beside rows with these columns.
-    pub fn new(system: &'s System, columns: &[Column], wanted: &Wanted) -> Self {
+    pub fn new(system: &'s System, columns: &[Column], wanted: &DerivedWanted) -> Self {
         let columns = Columns::of(columns);
         let loads = Loads::new(system, &columns);
         let shaking = Shaking::new(system, &columns);
@@ -121,9 +121,9 @@ pub fn derived(model: &Checked, results: &Trajectory) -> (Trajectory, Vec<String
     let wanted = analysis.transmission.as_ref();
     let wanted = wanted.map(|wanted| question::transmission(&system, wanted));
     let table = |transmission: Option<Option<Transmission>>| {
-        let wanted = Wanted {
+        let wanted = DerivedWanted {
             transmission,
-            ..Wanted::default()
+            ..DerivedWanted::default()
         };
         let mut derived = Derived::new(&system, &results.columns, &wanted);
         // what was requested is in the results already

@@ -4,7 +4,7 @@ use super::control::Stop as Failed;
 use crate::element::Kinematics;
 use crate::element::pair::{ContactId, Pair, Surface};
 use crate::element::quantity::Measured;
-use crate::element::stop::{Stop, Way};
+use crate::element::stop::{Stop, Travel};
 use crate::system::{Evaluation, Inputs, JointRole, System};
 use linkdyn_model::display::DisplayUnits;
 use linkdyn_model::error::Complaint;
@@ -169,9 +169,9 @@ fn beyond(system: &System, id: ContactId, stop: &Stop, here: f64) -> Complaint {
         ),
     )
     .hint(match stop.way {
-        Way::Turn => "it is the angle of the second body in the first: give wider limits, or another start",
-        Way::Along(_) => "it is the slide of the second point along \"axis\": give wider limits, or another start",
-        Way::Apart => "it is the distance of its points: give wider limits, or another start",
+        Travel::Turn => "it is the angle of the second body in the first: give wider limits, or another start",
+        Travel::Along(_) => "it is the slide of the second point along \"axis\": give wider limits, or another start",
+        Travel::Apart => "it is the distance of its points: give wider limits, or another start",
     })
 }
 

@@ -1,6 +1,6 @@
 //! What responses need of the rows of a run, and of what follows behind them.
 
-use super::derived::{Derived, Wanted};
+use super::derived::{Derived, DerivedWanted};
 use super::question::Question;
 use super::responses::Responses;
 use crate::system::System;
@@ -9,7 +9,7 @@ use linkdyn_output::Column;
 /// All columns that responses may name behind those of an analysis.
 pub(super) fn behind(system: &System, question: &Question) -> Vec<Column> {
     let columns = question.contents.columns(system);
-    let all = Wanted::all(system, question);
+    let all = DerivedWanted::all(system, question);
     Derived::new(system, &columns, &all).headings
 }
 
@@ -43,8 +43,8 @@ impl<'p> Needed<'p> {
         let follows = |index: &usize| Some(&behind[index.checked_sub(columns.len())?]);
         let is_needed =
             |column: &Column| indices.iter().filter_map(follows).any(|own| own == column);
-        let all = Wanted::all(system, question);
-        let wanted = Wanted {
+        let all = DerivedWanted::all(system, question);
+        let wanted = DerivedWanted {
             following: all.following.of(is_needed),
             ..all
         };

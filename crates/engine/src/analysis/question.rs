@@ -5,7 +5,7 @@ use super::control::Stop;
 use super::derived_columns::DerivedSelection;
 use super::instants::{Equidistant, Instants, Sampled};
 use super::transmission::Transmission;
-use super::{driven, dynamics, dynamics::Wanted};
+use super::{driven, dynamics, dynamics::Exactness};
 use crate::integrate::{Method, UnknownMethod};
 use crate::mechanism::reduced::Solver;
 use crate::system::System;
@@ -31,7 +31,7 @@ pub(super) struct Question {
     /// A name that no method has is reported where a method is needed.
     method: Result<Method, UnknownMethod>,
     solver: Option<Solver>,
-    wanted: Wanted,
+    wanted: Exactness,
     initial_step: Option<f64>,
     max_step: Option<f64>,
 }
@@ -73,7 +73,7 @@ impl Question {
                 Accelerations::Dense => Some(Solver::Tangents),
                 Accelerations::Sparse => Some(Solver::Sparse),
             },
-            wanted: Wanted {
+            wanted: Exactness {
                 rtol: solver.rtol,
                 atol: solver.atol,
             },

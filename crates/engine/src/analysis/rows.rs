@@ -181,14 +181,14 @@ impl<'s> Replay<'s> {
 
 /// A body's point in a row.
 #[derive(Debug, Clone, Copy)]
-pub struct Place {
+pub struct PlaceInRow {
     /// Of its body.
     pub frame: Frame,
     /// In the body's frame \[m\].
     pub point: Vec2,
 }
 
-impl Place {
+impl PlaceInRow {
     /// The position of a marker, or `None` if its body's pose is not in the table.
     pub fn of(system: &System, columns: &Columns, marker: &Marker) -> Option<Self> {
         // Markers are measured from the centre of mass.
@@ -196,7 +196,7 @@ impl Place {
             BodyId::GROUND => Vec2::zeros(),
             BodyId(body) => system.bodies[body - 1].origin,
         };
-        Some(Place {
+        Some(PlaceInRow {
             frame: Frame::of(columns, marker.body)?,
             point: marker.s - origin,
         })

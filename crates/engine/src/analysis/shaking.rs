@@ -9,7 +9,7 @@
 //! but for a torque whose `relative_to` is ground. So F = Σ (weights and applied forces) − d/dt Σ m v, and likewise M
 //! (Berkof and Lowen, J. Eng. Ind. 91, 1969, of the inertia part alone). Checked against that balance in `tests/fast/shaking.rs`.
 
-use super::rows::{Columns, Frame, Place, Replay};
+use super::rows::{Columns, Frame, PlaceInRow, Replay};
 use crate::element::{Applied, BodyId, direction};
 use crate::system::{DriverRole, System};
 use linkdyn_linear::math::Vec2;
@@ -37,7 +37,7 @@ enum Share {
     /// A joint: force at the second point and torque, both on the second body; −1 where the ground is the first.
     Joint {
         sign: f64,
-        at: Place,
+        at: PlaceInRow,
         force: [usize; 2],
         torque: Option<usize>,
     },
@@ -46,7 +46,7 @@ enum Share {
     /// A translation driver: force along the axis on the second body.
     Along {
         sign: f64,
-        at: Place,
+        at: PlaceInRow,
         guide: Frame,
         axis: Vec2,
         effort: usize,
@@ -54,7 +54,7 @@ enum Share {
     /// A driven length: force on the second end, away from the first.
     Between {
         sign: f64,
-        ends: [Place; 2],
+        ends: [PlaceInRow; 2],
         effort: usize,
     },
     /// A force element between ground and a moving body: the opposite of what it exerts on that body.
@@ -215,8 +215,8 @@ fn stroke_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
         shares.push(Share::Between {
             sign,
             ends: [
-                Place::of(system, columns, &ends[0])?,
-                Place::of(system, columns, &ends[1])?,
+                PlaceInRow::of(system, columns, &ends[0])?,
+                PlaceInRow::of(system, columns, &ends[1])?,
             ],
             effort: columns.find(Channel::Load(force, LoadQuantity::Stop))?,
         });
@@ -234,7 +234,7 @@ fn joint_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
         let find = |quantity| columns.find(Channel::Joint(k, quantity));
         shares.push(Share::Joint {
             sign,
-            at: Place::of(system, columns, &joint.points()[1])?,
+            at: PlaceInRow::of(system, columns, &joint.points()[1])?,
             force: [find(JointQuantity::Fx)?, find(JointQuantity::Fy)?],
             // A pin carries no torque but that of its stops; the force of a slide's is among its own.
             torque: match joint.role().axis() {
@@ -266,8 +266,8 @@ fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
                 shares.push(Share::Between {
                     sign,
                     ends: [
-                        Place::of(system, columns, first)?,
-                        Place::of(system, columns, second)?,
+                        PlaceInRow::of(system, columns, first)?,
+                        PlaceInRow::of(system, columns, second)?,
                     ],
                     effort: effort?,
                 });
@@ -281,7 +281,7 @@ fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
                 };
                 shares.push(Share::Along {
                     sign,
-                    at: Place::of(system, columns, &joint.points()[1])?,
+                    at: PlaceInRow::of(system, columns, &joint.points()[1])?,
                     guide: Frame::of(columns, joint.bodies()[0])?,
                     axis,
                     effort: effort?,

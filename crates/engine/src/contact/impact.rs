@@ -101,7 +101,7 @@ impl Walk {
 }
 
 /// W in its parts, and μ.
-struct Point {
+struct ImpactMobility {
     normal: f64,
     coupling: f64,
     tangent: f64,
@@ -111,12 +111,12 @@ struct Point {
 /// The way of sliding, ±1; none while sticking.
 type Direction = Option<f64>;
 
-impl Point {
+impl ImpactMobility {
     fn new([[normal, coupling], [_, tangent]]: [[f64; 2]; 2], friction: f64) -> Self {
         let (normal, tangent) = (normal.max(0.0), tangent.max(0.0));
         // Round-off must not make an eigenvalue negative.
         let bound = (normal * tangent).sqrt();
-        Point {
+        ImpactMobility {
             normal,
             coupling: coupling.max(-bound).min(bound),
             tangent,
@@ -139,7 +139,7 @@ impl Point {
 
     /// dp_t/dp_n and dv/dp_n.
     fn rates(&self, direction: Direction) -> (f64, [f64; 2]) {
-        let Point {
+        let ImpactMobility {
             normal,
             coupling,
             tangent,
@@ -205,7 +205,7 @@ pub fn resolve(
     sense: Sense,
 ) -> Impulse {
     let mut course = Course::new(
-        Point::new(inverse_mass, friction),
+        ImpactMobility::new(inverse_mass, friction),
         velocity,
         (restitution, sense),
     );
@@ -235,7 +235,7 @@ pub fn resolve(
 
 /// An impact on its way, from one change of its rates to the next.
 struct Course {
-    point: Point,
+    point: ImpactMobility,
     /// v_n(0), e and what it compares.
     approach: f64,
     restitution: f64,
@@ -257,7 +257,7 @@ enum Next {
 }
 
 impl Course {
-    fn new(point: Point, velocity: [f64; 2], (restitution, sense): (f64, Sense)) -> Self {
+    fn new(point: ImpactMobility, velocity: [f64; 2], (restitution, sense): (f64, Sense)) -> Self {
         let slides = velocity[1] != 0.0;
         let direction = if slides {
             Some(velocity[1].signum())

@@ -42,7 +42,7 @@ pub struct Bushing {
 }
 
 /// Where the points are.
-struct Place {
+struct Separation {
     /// d \[m\]
     apart: Vec2,
     /// ḋ − ω₁ d⊥ [m/s]
@@ -59,12 +59,12 @@ impl Bushing {
         x * (diagonal.x * x.dot(&a)) + perp(x) * (diagonal.y * perp(x).dot(&a))
     }
 
-    fn place(&self, at: &Kinematics) -> Place {
+    fn place(&self, at: &Kinematics) -> Separation {
         let apart = self.second.place(at) - self.first.place(at);
         let omega = self.first.omega(at);
         let rate = self.second.velocity(at) - self.first.velocity(at) - perp(apart) * omega;
         let elastic = self.along_axes(at, self.stiffness, apart);
-        Place {
+        Separation {
             apart,
             rate,
             force: -elastic - self.along_axes(at, self.damping, rate),
@@ -107,7 +107,7 @@ impl Force for Bushing {
         position.fill(0.0);
         velocity.fill(0.0);
         let span = Span::at(at, &self.first, &self.second);
-        let Place { apart, rate, force } = self.place(at);
+        let Separation { apart, rate, force } = self.place(at);
         let omega = self.first.omega(at);
         let across = |column: usize| match column {
             2 => perp(apart),

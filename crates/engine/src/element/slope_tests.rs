@@ -11,7 +11,7 @@ use super::load::{PointLoad, Torque};
 use super::pair::{Compliant, Contact, Pair, Phase, Shape, Surface};
 use super::quantity::{Measured, Quantity};
 use super::spring::Spring;
-use super::stop::{Way, tests::stop};
+use super::stop::{Travel, tests::stop};
 use super::straight::tests::straight;
 use super::tests::{Q0, V0, all_constraints, at_state, marker};
 use super::torsion_spring::TorsionSpring;
@@ -272,9 +272,9 @@ fn slopes_are_the_derivatives_of_contact_forces() {
             let axis = Vec2::new(0.6, 0.8);
             let shapes = [
                 Shape::Journal(journal),
-                Shape::Stop(stop(Way::Turn)),
-                Shape::Stop(stop(Way::Along(axis))),
-                Shape::Stop(stop(Way::Apart)),
+                Shape::Stop(stop(Travel::Turn)),
+                Shape::Stop(stop(Travel::Along(axis))),
+                Shape::Stop(stop(Travel::Apart)),
                 Shape::Edge(edge(Piece::Straight(straight()))),
                 Shape::Edge(edge(Piece::Round(disc(), Sector::between(0.0, 1.0)))),
             ];

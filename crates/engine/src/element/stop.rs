@@ -66,7 +66,7 @@ impl Side {
 
 /// What a stop is an end of.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Way {
+pub enum Travel {
     /// The angle of the second body in the first.
     Turn,
     /// The slide of the second point along an axis of the first body, in its frame, of length one.
@@ -83,7 +83,7 @@ pub struct Stop {
     /// Its point of the second body.
     pub second: Marker,
     /// What it ends.
-    pub way: Way,
+    pub way: Travel,
     /// Which end it is.
     pub side: Side,
     /// s_σ [m or rad]
@@ -110,30 +110,30 @@ impl Stop {
     pub fn measured(&self) -> Measured {
         let (first, second) = (self.first, self.second);
         match self.way {
-            Way::Turn => Measured::Turn {
+            Travel::Turn => Measured::Turn {
                 first: first.body,
                 second: second.body,
             },
-            Way::Along(axis) => Measured::Along {
+            Travel::Along(axis) => Measured::Along {
                 first,
                 second,
                 axis,
             },
-            Way::Apart => Measured::Distance { first, second },
+            Travel::Apart => Measured::Distance { first, second },
         }
     }
 
     /// Direction of a slide.
     pub fn axis(&self) -> Option<Vec2> {
         match self.way {
-            Way::Along(axis) => Some(axis),
-            Way::Turn | Way::Apart => None,
+            Travel::Along(axis) => Some(axis),
+            Travel::Turn | Travel::Apart => None,
         }
     }
 
     /// Whether s is an angle.
     pub fn turns(&self) -> bool {
-        self.way == Way::Turn
+        self.way == Travel::Turn
     }
 
     /// ∂²s/∂q² of a length, by the coordinates of both bodies.
@@ -282,7 +282,7 @@ impl Stop {
                 velocity[row * BOTH + column] = -by_rate * g[row] * g[column];
             }
         }
-        if self.way == Way::Apart {
+        if self.way == Travel::Apart {
             let bent = self.bent(at);
             for (to, bent) in position.iter_mut().zip(bent.as_flattened()) {
                 *to -= self.factor() * normal * bent;
@@ -348,7 +348,7 @@ impl Constraint for Stop {
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
-        if self.way == Way::Apart {
+        if self.way == Travel::Apart {
             return upper_pairs(&self.first, &self.second);
         }
         self.guide()
@@ -356,7 +356,7 @@ impl Constraint for Stop {
     }
 
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
-        if self.way == Way::Apart {
+        if self.way == Travel::Apart {
             let bent = self.bent(at);
             let pairs = (0..BOTH).flat_map(|row| (row..BOTH).map(move |column| (row, column)));
             for (value, (row, column)) in values.iter_mut().zip(pairs) {
@@ -372,9 +372,9 @@ impl Constraint for Stop {
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         let pressed = self.pushed(lambda[0]);
         match self.way {
-            Way::Turn => (Vec2::zeros(), pressed),
-            Way::Along(axis) => (at.poses[self.first.body.0].turn(axis) * pressed, 0.0),
-            Way::Apart => {
+            Travel::Turn => (Vec2::zeros(), pressed),
+            Travel::Along(axis) => (at.poses[self.first.body.0].turn(axis) * pressed, 0.0),
+            Travel::Apart => {
                 let d = self.second.place(at) - self.first.place(at);
                 let along = direction(d).map_or_else(Vec2::zeros, |(u, _)| u);
                 (along * pressed, 0.0)

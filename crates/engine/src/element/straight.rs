@@ -10,7 +10,7 @@
 use super::prismatic::Guide;
 use super::quantity::Measured;
 use super::span::BOTH;
-use super::stop::{BENT, Side, Stop, Way, index};
+use super::stop::{BENT, Side, Stop, Travel, index};
 use super::touch::{Compliant, Contact, ContactId, Reading};
 use super::{Applied, Constraint, Entry, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
@@ -34,7 +34,7 @@ impl Straight {
         let stop = Stop {
             first: from,
             second: tip,
-            way: Way::Along(perp(way / length)),
+            way: Travel::Along(perp(way / length)),
             side: Side::Upper,
             limit: -radius,
             arm: 1.0,

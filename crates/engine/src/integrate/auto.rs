@@ -36,7 +36,7 @@ impl Mark {
 
 /// Which method is at work.
 #[derive(Debug, Clone, Copy)]
-enum Mode {
+enum ActiveMethod {
     /// The explicit one; since when steps speak for stiffness.
     Explicit(Option<Mark>),
     /// The implicit one on trial: its steps, where its own began, and what the explicit one cost.
@@ -51,7 +51,7 @@ pub struct Auto {
     limits: Limits,
     explicit: Dop853,
     implicit: Radau,
-    mode: Mode,
+    mode: ActiveMethod,
 }
 
 impl Auto {
@@ -61,12 +61,12 @@ impl Auto {
             limits,
             explicit: Dop853::new(tolerance.clone(), limits),
             implicit: Radau::new(tolerance, limits),
-            mode: Mode::Explicit(None),
+            mode: ActiveMethod::Explicit(None),
         }
     }
 
     fn is_explicit(&self) -> bool {
-        matches!(self.mode, Mode::Explicit(_))
+        matches!(self.mode, ActiveMethod::Explicit(_))
     }
 
     /// The stepper at work.
@@ -89,30 +89,32 @@ impl Auto {
     /// Changes the method where that is due.
     fn choose(&mut self, ode: &mut dyn Ode, end: f64) -> Result<(), StepFailure> {
         match self.mode {
-            Mode::Explicit(since) if self.explicit.stiff() && self.explicit.t() != end => {
+            ActiveMethod::Explicit(since) if self.explicit.stiff() && self.explicit.t() != end => {
                 let now = Mark::of(&self.explicit);
                 self.implicit.limits = Limits {
                     initial_step: Some(self.explicit.proposal()),
                     ..self.limits
                 };
                 self.implicit.start(ode, now.t, self.explicit.y(), end)?;
-                self.mode = Mode::Trial {
+                self.mode = ActiveMethod::Trial {
                     steps: 0,
                     from: now,
                     price: since.map_or(f64::INFINITY, |since| since.price(now)),
                 };
             }
-            Mode::Trial { steps, from, price } if steps >= TRIAL && self.implicit.t() != end => {
+            ActiveMethod::Trial { steps, from, price }
+                if steps >= TRIAL && self.implicit.t() != end =>
+            {
                 let now = Mark::of(&self.implicit);
-                self.mode = Mode::Implicit;
+                self.mode = ActiveMethod::Implicit;
                 if from.price(now) > price {
                     self.explicit.limits.initial_step = Some(self.explicit.proposal());
                     self.explicit.start(ode, now.t, self.implicit.y(), end)?;
                     self.explicit.stiffness.doubt();
-                    self.mode = Mode::Explicit(None);
+                    self.mode = ActiveMethod::Explicit(None);
                 }
             }
-            Mode::Explicit(_) | Mode::Trial { .. } | Mode::Implicit => {}
+            ActiveMethod::Explicit(_) | ActiveMethod::Trial { .. } | ActiveMethod::Implicit => {}
         }
         Ok(())
     }
@@ -120,17 +122,17 @@ impl Auto {
     /// Notes a step.
     fn note(&mut self) {
         match &mut self.mode {
-            Mode::Explicit(since) => {
+            ActiveMethod::Explicit(since) => {
                 let is_suspected = self.explicit.stiffness.is_suspected();
                 *since = is_suspected.then(|| since.unwrap_or_else(|| Mark::of(&self.explicit)));
             }
-            Mode::Trial { steps, from, .. } => {
+            ActiveMethod::Trial { steps, from, .. } => {
                 *steps += 1;
                 if *steps == WARM {
                     *from = Mark::of(&self.implicit);
                 }
             }
-            Mode::Implicit => {}
+            ActiveMethod::Implicit => {}
         }
     }
 }
@@ -142,8 +144,8 @@ impl Stepper for Auto {
         self.implicit.reserve(ode);
         // What is on trial is tried anew.
         self.mode = match self.mode {
-            Mode::Explicit(_) | Mode::Trial { .. } => Mode::Explicit(None),
-            Mode::Implicit => Mode::Implicit,
+            ActiveMethod::Explicit(_) | ActiveMethod::Trial { .. } => ActiveMethod::Explicit(None),
+            ActiveMethod::Implicit => ActiveMethod::Implicit,
         };
         self.current_mut().start(ode, t, y, end)
     }

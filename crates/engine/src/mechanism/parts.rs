@@ -225,7 +225,7 @@ struct Followed<'s> {
     inputs: Inputs,
     driven: Option<Driven<'s>>,
     /// By one independent coordinate or another, none beyond its dead centres.
-    curves: Vec<Curve>,
+    curves: Vec<KnownCurve>,
     /// The one that holds the point at hand.
     now: Option<usize>,
     /// Where a new one was last followed from.
@@ -233,7 +233,7 @@ struct Followed<'s> {
 }
 
 #[derive(Clone)]
-struct Curve {
+struct KnownCurve {
     path: Path,
     /// Column of the part.
     independent: usize,
@@ -255,13 +255,14 @@ impl<'s> Followed<'s> {
     }
 
     /// The curve that holds the point at hand.
-    fn on(&self) -> Option<&Curve> {
+    fn on(&self) -> Option<&KnownCurve> {
         Some(&self.curves[self.now?])
     }
 
     /// The window, counted over all curves, that `q` is in.
     fn window_at(&mut self, q: &[f64], here: &Node) -> Option<usize> {
-        let holds = |part: &Part, curve: &Curve| curve.path.holds(part.value(curve.independent, q));
+        let holds =
+            |part: &Part, curve: &KnownCurve| curve.path.holds(part.value(curve.independent, q));
         if !self
             .now
             .is_some_and(|now| holds(self.part, &self.curves[now]))
@@ -334,7 +335,7 @@ impl<'s> Followed<'s> {
             .iter()
             .map(|curve| curve.path.windows().len())
             .sum();
-        self.curves.push(Curve {
+        self.curves.push(KnownCurve {
             path,
             independent,
             windows_before,

@@ -9,15 +9,15 @@ use super::{Evaluation, Inputs, System};
 use crate::element::Slope;
 
 /// Row and column of an entry; none of ground.
-pub(crate) type Place = [Option<usize>; 2];
+pub(crate) type RowColumn = [Option<usize>; 2];
 
 /// Where the entries of a system's derivatives stand: in the order of forces and contacts, and of blocks.
 #[derive(Clone)]
 pub(crate) struct Slopes {
     /// Of the forces' derivatives.
-    pub forces: Vec<Place>,
+    pub forces: Vec<RowColumn>,
     /// Of the constraints'; what stands beside the diagonal stands for two.
-    pub bends: Vec<Place>,
+    pub bends: Vec<RowColumn>,
     /// Entries of each force and contact, and of each block.
     force_counts: Vec<usize>,
     bend_counts: Vec<usize>,

@@ -1,12 +1,12 @@
 //! Why a mechanism does not assemble, or by which way it does.
 
-use super::Found;
+use super::ClosedPosition;
 use super::beside::close_from_beside;
 use super::determined::over_driven;
 use super::mobility::topology;
 use super::overlap;
 use super::ranks::ranks;
-use super::way::{Way, from_drawing};
+use super::way::{PathEnd, from_drawing};
 use crate::analysis::control::Stop;
 use crate::analysis::words::listed;
 use crate::mechanism::closing::{Closed, close, close_weighted};
@@ -14,7 +14,11 @@ use crate::system::{Block, Inputs, Origin, System};
 use linkdyn_output::Status;
 
 /// Finds out why everything together does not assemble, or assembles by another way.
-pub(super) fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Result<Found, Stop> {
+pub(super) fn diagnose(
+    system: &System,
+    inputs: &Inputs,
+    closed: Closed,
+) -> Result<ClosedPosition, Stop> {
     let joints: Vec<&Block> = system
         .blocks
         .iter()
@@ -27,10 +31,10 @@ pub(super) fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Resu
                            assembly (its bodies lie in a line?); check that this is the assembly you want, or give poses \
                            closer to it"
                 .to_string();
-            return Ok(Found {
+            return Ok(ClosedPosition {
                 iterations: closed.iterations + found.iterations,
                 warnings: vec![warning],
-                ..Found::alone(found)
+                ..ClosedPosition::alone(found)
             });
         }
         return Err(Stop::failed(
@@ -45,8 +49,8 @@ pub(super) fn diagnose(system: &System, inputs: &Inputs, closed: Closed) -> Resu
         return Err(Stop::Input(vec![over_driven(system, freedom)]));
     }
     overlap::refuse(system, &undriven.q, inputs)?;
-    if let Way::Reached(reached) = from_drawing(system, inputs, None)
-        && let Some(found) = Found::reached(system, inputs, reached, closed.iterations)
+    if let PathEnd::Reached(reached) = from_drawing(system, inputs, None)
+        && let Some(found) = ClosedPosition::reached(system, inputs, reached, closed.iterations)
     {
         return Ok(found);
     }

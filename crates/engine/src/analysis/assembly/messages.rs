@@ -10,10 +10,10 @@ use crate::system::{Inputs, Origin, System};
 const SETTLES: &str = "draw the bodies (\"pose\") where they start to say which assembly is meant";
 
 /// Where on the way a singular position lies: it, and the part of the way up to it.
-type Place<'p> = (&'p SingularPosition, f64);
+type PlaceOnPath<'p> = (&'p SingularPosition, f64);
 
 /// Of a way that passes a singular position.
-pub(super) fn passed(system: &System, led: &System, values: &Values, place: Place) -> String {
+pub(super) fn passed(system: &System, led: &System, values: &Values, place: PlaceOnPath) -> String {
     format!(
         "on the way from the drawing to {} the mechanism passes a singular position at {}{}, from which more than one branch of motion \
          leads on; taken is the assembly on the branch that goes straight on. If another is meant, {SETTLES}",
@@ -24,7 +24,7 @@ pub(super) fn passed(system: &System, led: &System, values: &Values, place: Plac
 }
 
 /// Of a way that does not go on.
-pub(super) fn ended(system: &System, led: &System, values: &Values, place: Place) -> String {
+pub(super) fn ended(system: &System, led: &System, values: &Values, place: PlaceOnPath) -> String {
     format!(
         "{} can't be reached by moving there from the drawing: the way ends at {}{}, in a dead centre; taken is the assembly nearest to \
          the drawing, which may be another one than is meant: {SETTLES}",

@@ -29,7 +29,7 @@ use crate::system::{Block, Inputs, System};
 use diagnosis::diagnose;
 use limits::{beyond_numbers, too_steep};
 use mobility::mobility;
-use way::{Reached, Way, from_drawing};
+use way::{PathEnd, Reached, from_drawing};
 
 /// Assembles at `inputs` by moving there from the drawing (see the module `way`); with `initial` values exact.
 ///
@@ -41,13 +41,13 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     }
     let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
     let closed = close_proven(system, &all, &system.guess, inputs);
-    let Found {
+    let ClosedPosition {
         q,
         iterations,
         arrival,
         mut warnings,
     } = if closed.proven {
-        Found::alone(closed)
+        ClosedPosition::alone(closed)
     } else if closed.converged {
         settle(system, inputs, closed)
     } else {
@@ -78,17 +78,17 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
 }
 
 /// A position that meets everything.
-struct Found {
+struct ClosedPosition {
     q: Vec<f64>,
     iterations: u64,
     arrival: Option<Vec<f64>>,
     warnings: Vec<String>,
 }
 
-impl Found {
+impl ClosedPosition {
     /// One of which there is nothing to say.
     fn alone(closed: Closed) -> Self {
-        Found {
+        ClosedPosition {
             q: closed.q,
             iterations: closed.iterations,
             arrival: None,
@@ -109,7 +109,7 @@ impl Found {
                     q[column] = start.value;
                 }
             }
-            Found {
+            ClosedPosition {
                 q,
                 iterations: before + closed.iterations,
                 arrival: reached.arrival,
@@ -120,23 +120,23 @@ impl Found {
 }
 
 /// The assembly that Newton's iteration found, or the one that is reached from the drawing where that is another.
-fn settle(system: &System, inputs: &Inputs, closed: Closed) -> Found {
+fn settle(system: &System, inputs: &Inputs, closed: Closed) -> ClosedPosition {
     match from_drawing(system, inputs, Some(&closed.q)) {
-        Way::Nowhere => Found::alone(closed),
-        Way::Ended(said) => Found {
+        PathEnd::Nowhere => ClosedPosition::alone(closed),
+        PathEnd::Ended(said) => ClosedPosition {
             warnings: vec![said],
-            ..Found::alone(closed)
+            ..ClosedPosition::alone(closed)
         },
-        Way::Reached(reached) if reached.is(system, &closed.q) => Found {
+        PathEnd::Reached(reached) if reached.is(system, &closed.q) => ClosedPosition {
             arrival: reached.arrival,
             warnings: reached.warnings,
-            ..Found::alone(closed)
+            ..ClosedPosition::alone(closed)
         },
-        Way::Reached(reached) => {
-            let there = Found::reached(system, inputs, reached, closed.iterations);
-            there.unwrap_or_else(|| Found {
+        PathEnd::Reached(reached) => {
+            let there = ClosedPosition::reached(system, inputs, reached, closed.iterations);
+            there.unwrap_or_else(|| ClosedPosition {
                 warnings: vec![way::unmet(system, inputs)],
-                ..Found::alone(closed)
+                ..ClosedPosition::alone(closed)
             })
         }
     }

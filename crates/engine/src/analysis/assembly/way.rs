@@ -35,7 +35,7 @@ const AT_END: f64 = 1e-7;
 const MOST_CHOICES: usize = 20;
 
 /// Where a way leads.
-pub(super) enum Way {
+pub(super) enum PathEnd {
     /// Drivers and initial values are where they are drawn, or hold more than there is freedom: no way tells anything.
     Nowhere,
     /// To an assembly.
@@ -110,13 +110,13 @@ impl Values {
 }
 
 /// Goes from the drawing to the start; `found` is where Newton's iteration found an assembly.
-pub(super) fn from_drawing(system: &System, inputs: &Inputs, found: Option<&[f64]>) -> Way {
+pub(super) fn from_drawing(system: &System, inputs: &Inputs, found: Option<&[f64]>) -> PathEnd {
     let drawn = Values::at(system, &system.guess, inputs);
     if drawn.farthest(system).is_none_or(|(_, off)| off <= STILL) {
-        return Way::Nowhere;
+        return PathEnd::Nowhere;
     }
     let Some(mut q) = drawing::closed(system, inputs, &drawn) else {
-        return Way::Ended(messages::undrawn(system, &drawn));
+        return PathEnd::Ended(messages::undrawn(system, &drawn));
     };
     let mut ranks = with_starts(system, &q, inputs);
     let mut warnings = Vec::new();
@@ -128,28 +128,28 @@ pub(super) fn from_drawing(system: &System, inputs: &Inputs, found: Option<&[f64
                 q = left.q;
                 ranks = with_starts(system, &q, inputs);
             }
-            Err(said) => return Way::Ended(said),
+            Err(said) => return PathEnd::Ended(said),
         }
     }
     for _ in 0..MOST_CHOICES {
         let Some(lead) = Lead::new(system, inputs, (&q, &ranks), found) else {
-            return Way::Nowhere;
+            return PathEnd::Nowhere;
         };
         match lead.follow(&q) {
             Followed::Reached(mut reached) => {
                 reached.warnings.splice(0..0, warnings);
-                return Way::Reached(reached);
+                return PathEnd::Reached(reached);
             }
             Followed::Ended { at, said } => {
                 let other = with_starts(system, &at, inputs);
                 if other.free_columns == ranks.free_columns {
-                    return Way::Ended(said);
+                    return PathEnd::Ended(said);
                 }
                 (q, ranks) = (at, other);
             }
         }
     }
-    Way::Ended(messages::stuck(system, &drawn))
+    PathEnd::Ended(messages::stuck(system, &drawn))
 }
 
 /// What is said where the end of the way does not meet initial values that could not lead it.

@@ -9,7 +9,7 @@ use super::ledger::Ledger;
 use super::margins::Margins;
 use super::modes::{first_phase, passes};
 use super::passages::Passages;
-use super::settings::{Settings, Wanted};
+use super::settings::{Exactness, Settings};
 use super::simulation::Simulation;
 use super::state::State;
 use super::steps::Steps;
@@ -41,7 +41,7 @@ impl<'s> Simulation<'s> {
     /// A start with deep penetration, or where the equations can't be evaluated.
     pub fn begin(settings: &Settings, mut flow: Flow<'s>, end: f64) -> Result<Self, Stop> {
         let mut ledger = Ledger::new(flow.system());
-        let Wanted { mut rtol, atol } = settings.wanted;
+        let Exactness { mut rtol, atol } = settings.wanted;
         flow.set_lag(LAG * rtol);
         if !ledger.is_empty() {
             rtol = (IMPACTS * rtol).max(FINEST.min(rtol));
@@ -76,8 +76,9 @@ impl<'s> Simulation<'s> {
         if rested.is_ok() && leans {
             rested = start(|impulses| impulses.rest().map_err(Fault::Unsolved));
         }
-        let started = rested
-            .and_then(|()| Steps::new(settings, Wanted { rtol, atol }, (&mut flow, &state), end));
+        let started = rested.and_then(|()| {
+            Steps::new(settings, Exactness { rtol, atol }, (&mut flow, &state), end)
+        });
         let steps = started.map_err(|fault| {
             let system = flow.system();
             let message = unclosed(system, fault, 0.0);

@@ -50,7 +50,7 @@ use outputs::Outputs;
 use scene::Scene;
 use std::borrow::Cow;
 
-pub use settings::{Settings, Wanted};
+pub use settings::{Exactness, Settings};
 pub use start::Start;
 pub use stepped::{Snapshot, Stepped};
 

@@ -1,6 +1,6 @@
 //! Change points that a motion passes, and the reactions that have no bound there.
 
-use super::events::locate::{Bracket, Point, locate};
+use super::events::locate::{Bracket, GuardPoint, locate};
 use super::fault::Fault;
 use super::flow::Flow;
 use super::sampling::Sampling;
@@ -170,11 +170,11 @@ fn located(
         return Ok(None);
     }
     let bracket = Bracket {
-        low: Point {
+        low: GuardPoint {
             time: step.from(),
             value: off(from),
         },
-        high: Point {
+        high: GuardPoint {
             time: until,
             value: off(to),
         },

@@ -6,7 +6,7 @@ use crate::mechanism::reduced::Solver;
 
 /// How exact a motion shall be.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wanted {
+pub struct Exactness {
     /// Relative tolerance [–].
     pub rtol: f64,
     /// Absolute tolerance, in SI units of each coordinate.
@@ -21,7 +21,7 @@ pub struct Settings {
     /// Who solves for accelerations; what costs least where not given.
     pub solver: Option<Solver>,
     /// How exact it shall be.
-    pub wanted: Wanted,
+    pub wanted: Exactness,
     /// First step \[s\]; chosen from the motion where not given.
     pub initial_step: Option<f64>,
     /// Longest step \[s\].

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::flow::Flow;
 use super::paces::{Begun, Paces};
-use super::settings::{Settings, Wanted};
+use super::settings::{Exactness, Settings};
 use super::state::State;
 use crate::integrate::{Counters, Limits, Method, Refused, StepFailure, Stepper};
 
@@ -15,7 +15,7 @@ const BEFORE_BREAK: f64 = 16.0 * f64::EPSILON;
 #[derive(Clone)]
 pub struct Steps {
     method: Method,
-    wanted: Wanted,
+    wanted: Exactness,
     max_step: Option<f64>,
     stepper: Box<dyn Stepper>,
     /// Work of steppers before.
@@ -32,7 +32,7 @@ impl Steps {
     /// Where the equations can't be evaluated there.
     pub fn new(
         settings: &Settings,
-        wanted: Wanted,
+        wanted: Exactness,
         (flow, state): (&mut Flow, &State),
         end: f64,
     ) -> Result<Self, Fault> {
@@ -169,7 +169,7 @@ impl Steps {
     }
 
     /// What is wanted of a step's error.
-    pub fn wanted(&self) -> Wanted {
+    pub fn wanted(&self) -> Exactness {
         self.wanted
     }
 
@@ -182,7 +182,7 @@ impl Steps {
 fn stepper(
     method: Method,
     flow: &Flow,
-    wanted: Wanted,
+    wanted: Exactness,
     max_step: Option<f64>,
     initial_step: Option<f64>,
 ) -> Box<dyn Stepper> {

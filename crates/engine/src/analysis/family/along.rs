@@ -5,7 +5,7 @@ use super::around::Around;
 use super::needs::Depth;
 use super::needs::Needs;
 use super::perturbed::place;
-use super::slopes::{Along, Slopes, Wanted};
+use super::slopes::{Along, Slopes, WantedColumns};
 use crate::analysis::question::Kind;
 use crate::analysis::sample::Sample;
 use crate::mechanism::driven::Driven;
@@ -94,7 +94,7 @@ impl Member<'_> {
         let nodes = nodes(&system, motion)?;
         let mut inputs = Inputs::at_time(&system, nodes[0].s);
         let mut driven = Driven::new(&system, &nodes[0].q, &inputs).ok()?;
-        let wanted = Wanted {
+        let wanted = WantedColumns {
             needs: &needs,
             depth,
         };

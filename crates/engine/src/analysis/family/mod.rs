@@ -79,11 +79,11 @@ enum Ways {
 pub struct Member<'f> {
     family: &'f Family,
     mechanisms: Option<Mechanisms<'f>>,
-    way: Way<'f>,
+    way: MemberSolver<'f>,
 }
 
 /// One thread's share of a way.
-enum Way<'f> {
+enum MemberSolver<'f> {
     Perturbed(Box<PerturbedSolver<'f>>),
     AtRest(Box<Resting<'f>>),
     Alone,
@@ -174,11 +174,13 @@ impl Family {
             family: self,
             mechanisms: mechanisms.map(|substitution| Mechanisms::new(substitution, &self.nominal)),
             way: match &self.ways {
-                Ways::Perturbed(track) => {
-                    Way::Perturbed(Box::new(PerturbedSolver::new(track, system, responses)))
+                Ways::Perturbed(track) => MemberSolver::Perturbed(Box::new(PerturbedSolver::new(
+                    track, system, responses,
+                ))),
+                Ways::AtRest(needs) => {
+                    MemberSolver::AtRest(Box::new(Resting::new(needs, responses)))
                 }
-                Ways::AtRest(needs) => Way::AtRest(Box::new(Resting::new(needs, responses))),
-                Ways::Alone => Way::Alone,
+                Ways::Alone => MemberSolver::Alone,
             },
         }
     }
@@ -235,22 +237,22 @@ impl Member<'_> {
         };
         let what = (values, lengths);
         match &mut self.way {
-            Way::Perturbed(perturbed) if perturbed.has(values) => {
+            MemberSolver::Perturbed(perturbed) if perturbed.has(values) => {
                 perturbed.differentiate(what, mechanisms, gradient);
             }
-            Way::AtRest(resting) if resting.has(values) => {
+            MemberSolver::AtRest(resting) if resting.has(values) => {
                 resting.differentiate(what, mechanisms, gradient);
             }
-            Way::Perturbed(_) | Way::AtRest(_) | Way::Alone => {}
+            MemberSolver::Perturbed(_) | MemberSolver::AtRest(_) | MemberSolver::Alone => {}
         }
     }
 
     /// Keeps the motion of each run from now on, for [`Member::slopes`].
     pub fn keep_motion(&mut self) {
         match &mut self.way {
-            Way::Perturbed(perturbed) => perturbed.keep_motion(),
-            Way::AtRest(resting) => resting.keep_motion(),
-            Way::Alone => {}
+            MemberSolver::Perturbed(perturbed) => perturbed.keep_motion(),
+            MemberSolver::AtRest(resting) => resting.keep_motion(),
+            MemberSolver::Alone => {}
         }
     }
 
@@ -271,12 +273,14 @@ impl Member<'_> {
         } = self;
         if let Some(mechanisms) = mechanisms {
             let ended = match way {
-                Way::Perturbed(perturbed) => {
+                MemberSolver::Perturbed(perturbed) => {
                     let is_found = perturbed.run(values, mechanisms, responses);
                     is_found.then(|| Ended::whole(responses))
                 }
-                Way::AtRest(resting) => resting.run(values, mechanisms, control, responses),
-                Way::Alone => None,
+                MemberSolver::AtRest(resting) => {
+                    resting.run(values, mechanisms, control, responses)
+                }
+                MemberSolver::Alone => None,
             };
             if let Some(ended) = ended {
                 return Ok(ended);

@@ -5,7 +5,7 @@
 //! what forces and joints show the rates besides, and shaking forces joint forces and efforts as well.
 
 use super::super::channels::Channels;
-use super::super::derived::{Derived, Wanted};
+use super::super::derived::{Derived, DerivedWanted};
 use super::super::needed::behind;
 use super::super::responses::Dual;
 use super::super::run::Prepared;
@@ -30,7 +30,7 @@ pub enum Depth {
 pub struct Needs {
     channels: Channels,
     /// What is wanted of what follows from rows; `None` if none of it is needed.
-    wanted: Option<Wanted>,
+    wanted: Option<DerivedWanted>,
     /// Place of each need in a row of the channels, and of what follows behind them.
     places: Vec<usize>,
     /// Which of them are of what joints and drivers carry.
@@ -154,8 +154,8 @@ impl Needs {
         };
         let mut columns: Vec<Column> = all.iter().filter(is_wanted).cloned().collect();
         let channels = Channels::of(columns.clone());
-        let whole = Wanted::all(system, question);
-        let wanted = follows.any.then(|| Wanted {
+        let whole = DerivedWanted::all(system, question);
+        let wanted = follows.any.then(|| DerivedWanted {
             transmission: whole.transmission.filter(|_| follows.transmission),
             following: (whole.following).of(|column| needed.contains(&column)),
         });

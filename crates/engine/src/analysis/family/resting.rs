@@ -4,7 +4,7 @@ use super::around::Around;
 use super::ended::Ended;
 use super::mechanisms::Mechanisms;
 use super::needs::{Needs, Room, State, duals};
-use super::slopes::{Along, Slopes, Wanted};
+use super::slopes::{Along, Slopes, WantedColumns};
 use crate::analysis::control::{Control, Stop};
 use crate::analysis::responses::{Evaluation, Responses};
 use crate::analysis::{equilibrium, statics};
@@ -143,7 +143,7 @@ impl<'f> Resting<'f> {
         gradient: &mut [f64],
     ) {
         self.read(held);
-        let wanted = Wanted {
+        let wanted = WantedColumns {
             needs: self.needs,
             depth: self.needs.depth(true),
         };

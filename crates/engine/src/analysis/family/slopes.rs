@@ -37,7 +37,7 @@ pub enum Along<'a> {
 
 /// The columns that are wanted.
 #[derive(Clone, Copy)]
-pub struct Wanted<'n> {
+pub struct WantedColumns<'n> {
     pub needs: &'n Needs,
     pub depth: Depth,
 }
@@ -69,7 +69,7 @@ enum Stage<'a, 's> {
 
 /// Room for it.
 pub struct Slopes<'n> {
-    wanted: Wanted<'n>,
+    wanted: WantedColumns<'n>,
     evaluation: Evaluation,
     inputs: Inputs,
     sample: Sample,
@@ -109,7 +109,7 @@ impl Along<'_> {
 
 impl<'n> Slopes<'n> {
     /// Of mechanisms like this one.
-    pub fn new(system: &System, wanted: Wanted<'n>) -> Self {
+    pub fn new(system: &System, wanted: WantedColumns<'n>) -> Self {
         let (n, m) = (system.n(), system.m());
         Slopes {
             wanted,

@@ -2,7 +2,7 @@
 
 use super::crossing::{self, Known};
 use super::reason::Reason;
-use super::top::{self, Point};
+use super::top::{self, CurvePoint};
 use linkdyn_model::response::Reduction;
 
 /// Both sides of an equation are the same where they differ by less, relative to the larger: a driver's value and the one
@@ -46,7 +46,7 @@ pub struct Running {
     /// What was empty last, of extremes.
     empty: Option<Reason>,
     /// Times and values of all rows, of extremes.
-    points: Vec<Point>,
+    points: Vec<CurvePoint>,
 }
 
 impl Running {
@@ -151,7 +151,12 @@ impl Running {
     }
 
     /// Looks for the highest top of rows whose values have been multiplied by `side`.
-    fn climb(&mut self, points: &[Point], side: f64, row: &mut impl FnMut(f64) -> Option<Row>) {
+    fn climb(
+        &mut self,
+        points: &[CurvePoint],
+        side: f64,
+        row: &mut impl FnMut(f64) -> Option<Row>,
+    ) {
         let most = |running: &Running| {
             let known = if side > 0.0 {
                 running.most

@@ -33,19 +33,19 @@ const HALF: f64 = 0.5;
 const POLE: f64 = 2.0;
 
 /// A point of a curve: place and height.
-pub type Point = [f64; 2];
+pub type CurvePoint = [f64; 2];
 
 /// What is known around a top: points nearest to it first.
 #[derive(Debug, Clone, Copy)]
 struct Known {
-    points: [Point; NEAREST],
+    points: [CurvePoint; NEAREST],
     count: usize,
 }
 
 impl Known {
     /// Adds a point, in place of the farthest where there is no more room.
-    fn add(&mut self, point: Point) {
-        let far = |known: &Point| (known[0] - point[0]).abs();
+    fn add(&mut self, point: CurvePoint) {
+        let far = |known: &CurvePoint| (known[0] - point[0]).abs();
         if self.count < NEAREST {
             self.points[self.count] = point;
             self.count += 1;
@@ -88,7 +88,7 @@ impl Known {
     }
 
     /// Place and height of the polynomial's top between two places, from a place near it.
-    fn top(&self, from: f64, [low, high]: [f64; 2]) -> Option<Point> {
+    fn top(&self, from: f64, [low, high]: [f64; 2]) -> Option<CurvePoint> {
         let table = self.differences();
         let mut x = from;
         for _ in 0..STEPS {
@@ -112,9 +112,9 @@ impl Known {
 /// A place between two others that is known to be the highest so far.
 #[derive(Debug, Clone, Copy)]
 struct Bracket {
-    low: Point,
-    best: Point,
-    high: Point,
+    low: CurvePoint,
+    best: CurvePoint,
+    high: CurvePoint,
 }
 
 impl Bracket {
@@ -123,7 +123,7 @@ impl Bracket {
     }
 
     /// Takes a point between.
-    fn take(&mut self, point: Point) {
+    fn take(&mut self, point: CurvePoint) {
         let [x, height] = point;
         let is_left = x < self.best[0];
         match (height > self.best[1], is_left) {
@@ -161,14 +161,14 @@ impl Bracket {
 }
 
 /// How much higher the curve may be near a row than there, at most; `None` if it can't be: the row is lower than its neighbours.
-pub fn promise(rows: &[Point], index: usize) -> Option<f64> {
+pub fn promise(rows: &[CurvePoint], index: usize) -> Option<f64> {
     let drop = drop(rows, index)?;
     // A parabola has an eighth at most, a kink a half.
     (drop >= 0.0).then_some(0.5 * drop)
 }
 
 /// How much lower the neighbours are: the larger drop, negative where one of them is higher.
-fn drop(rows: &[Point], index: usize) -> Option<f64> {
+fn drop(rows: &[CurvePoint], index: usize) -> Option<f64> {
     let height = rows[index][1];
     let left = index.checked_sub(1).map(|left| height - rows[left][1]);
     let right = rows.get(index + 1).map(|right| height - right[1]);
@@ -184,7 +184,7 @@ fn drop(rows: &[Point], index: usize) -> Option<f64> {
 /// # Errors
 /// Where the curve grows without end.
 pub fn find(
-    rows: &[Point],
+    rows: &[CurvePoint],
     index: usize,
     mut curve: impl FnMut(f64) -> Option<f64>,
 ) -> Result<(), f64> {
@@ -251,7 +251,7 @@ pub fn find(
 }
 
 /// The rows nearest to one.
-fn nearest(rows: &[Point], index: usize) -> Known {
+fn nearest(rows: &[CurvePoint], index: usize) -> Known {
     let count = rows.len().min(NEAREST);
     let first = index.saturating_sub(NEAREST / 2).min(rows.len() - count);
     let mut known = Known {
@@ -268,13 +268,13 @@ fn nearest(rows: &[Point], index: usize) -> Known {
 mod tests {
     use super::*;
 
-    fn rows(curve: &dyn Fn(f64) -> f64, from: f64, to: f64, count: usize) -> Vec<Point> {
+    fn rows(curve: &dyn Fn(f64) -> f64, from: f64, to: f64, count: usize) -> Vec<CurvePoint> {
         let place = |k: usize| from + (to - from) * k as f64 / (count - 1) as f64;
         (0..count).map(|k| [place(k), curve(place(k))]).collect()
     }
 
     /// The largest height found, and how often the curve was asked.
-    fn largest(curve: &dyn Fn(f64) -> f64, rows: &[Point]) -> (f64, usize) {
+    fn largest(curve: &dyn Fn(f64) -> f64, rows: &[CurvePoint]) -> (f64, usize) {
         let best = (0..rows.len()).max_by(|&a, &b| rows[a][1].total_cmp(&rows[b][1]));
         let index = best.expect("rows");
         let (mut most, mut asked) = (rows[index][1], 0);
@@ -327,7 +327,7 @@ mod tests {
 
     #[test]
     fn poles_have_no_top_and_peaks_do() {
-        let best = |rows: &[Point]| {
+        let best = |rows: &[CurvePoint]| {
             let best = (0..rows.len()).max_by(|&a, &b| rows[a][1].total_cmp(&rows[b][1]));
             best.expect("rows")
         };

@@ -5,7 +5,7 @@ use crate::element::Kinematics;
 use crate::element::clasp::Clasp;
 use crate::element::edge::Edge;
 use crate::element::journal::Journal;
-use crate::element::stop::{Stop, Way};
+use crate::element::stop::{Stop, Travel};
 
 /// A contact by functions that are as smooth as the motion, which are above zero together where δ and the room are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +31,7 @@ impl Pair {
         let (depth, rate) = (reading.penetration, reading.rate);
         let radius = match &self.shape {
             Shape::Journal(journal) => journal.clearance,
-            Shape::Stop(stop) if stop.way == Way::Apart => stop.side.sign() * stop.limit,
+            Shape::Stop(stop) if stop.way == Travel::Apart => stop.side.sign() * stop.limit,
             Shape::Edge(edge) => edge.bend(),
             Shape::Stop(_) | Shape::Clasp(_) => 0.0,
         };

@@ -11,25 +11,25 @@ pub(in crate::element) fn each() -> [Named; 4] {
             id: ContactId(0),
             is_lock: true,
         }),
-        ..stop(Way::Along(axis))
+        ..stop(Travel::Along(axis))
     };
     [
         ("lock of a slide", Box::new(lock)),
-        ("stop of a slide", Box::new(stop(Way::Along(axis)))),
-        ("stop of an angle", Box::new(stop(Way::Turn))),
-        ("stop of a length", Box::new(stop(Way::Apart))),
+        ("stop of a slide", Box::new(stop(Travel::Along(axis)))),
+        ("stop of an angle", Box::new(stop(Travel::Turn))),
+        ("stop of a length", Box::new(stop(Travel::Apart))),
     ]
 }
 
 /// A stop for checks by differences.
-pub(in crate::element) fn stop(way: Way) -> Stop {
+pub(in crate::element) fn stop(way: Travel) -> Stop {
     Stop {
         first: marker(1, 0.3, -0.2),
         second: marker(2, -0.4, 0.1),
         way,
         side: Side::Lower,
         limit: 0.4,
-        arm: if way == Way::Turn { 0.7 } else { 1.0 },
+        arm: if way == Travel::Turn { 0.7 } else { 1.0 },
         size: 0.7,
         kept: None,
     }

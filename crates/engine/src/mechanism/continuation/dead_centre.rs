@@ -33,12 +33,12 @@ impl Walker<'_, '_> {
         let offset: Vec<f64> = before.q.iter().zip(&last.q).map(|(a, b)| a - b).collect();
         let g = direction / dot(&arc.border, &scaled(&before.d)).abs();
         let ends = [
-            Point {
+            PathPoint {
                 p: dot(&arc.border, &scaled(&offset)),
                 s: before.s,
                 g,
             },
-            Point {
+            PathPoint {
                 p: 0.0,
                 s: last.s,
                 g: direction / length.abs(),
@@ -59,7 +59,7 @@ impl Walker<'_, '_> {
             let Some(g) = arc.solve(p, &mut q, &mut s) else {
                 break;
             };
-            (earlier, here) = (here, Point { p, s, g });
+            (earlier, here) = (here, PathPoint { p, s, g });
             if (s - last.s).abs() > ASTRAY * (unit + last.s.abs()) {
                 break;
             }
@@ -80,7 +80,7 @@ impl Walker<'_, '_> {
 
 /// A point of the path with p as its parameter, g = ds/dp.
 #[derive(Debug, Clone, Copy)]
-struct Point {
+struct PathPoint {
     p: f64,
     s: f64,
     g: f64,
@@ -108,9 +108,9 @@ const FOLDS: f64 = 1e-3;
 
 /// The s of a dead centre just ahead of two points, s = s* − c (p − p*)²; `None` if they do not lie so. The path ends some
 /// 1e-9 of a step before it, so that higher powers have no part in it.
-fn fold([before, last]: [Point; 2]) -> Option<f64> {
+fn fold([before, last]: [PathPoint; 2]) -> Option<f64> {
     let centre = last.p - last.g * (last.p - before.p) / (last.g - before.g);
-    let ahead = |point: Point| 0.5 * point.g * (centre - point.p);
+    let ahead = |point: PathPoint| 0.5 * point.g * (centre - point.p);
     let s = last.s + ahead(last);
     let agree = (before.s + ahead(before) - s).abs()
         <= FOLDS * ahead(last).abs().max(f64::EPSILON * s.abs() / FOLDS);
@@ -118,7 +118,7 @@ fn fold([before, last]: [Point; 2]) -> Option<f64> {
 }
 
 /// The s at which a position lies at infinity: there p ≈ c/(s − s*), so that √|g| is linear in s.
-fn asymptote(before: Point, last: Point) -> f64 {
+fn asymptote(before: PathPoint, last: PathPoint) -> f64 {
     let (root, other) = (last.g.abs().sqrt(), before.g.abs().sqrt());
     last.s + root * (last.s - before.s) / (other - root)
 }

@@ -18,7 +18,7 @@ pub(super) struct Accepted {
 }
 
 /// A point that is to be kept.
-pub(super) struct Point<'a> {
+pub(super) struct AcceptedPoint<'a> {
     /// When it is \[s\].
     pub time: f64,
     /// q, v, a (n).
@@ -75,7 +75,7 @@ impl Accepted {
     }
 
     /// Takes a point for the later one from now on; at the same time it takes the place of that.
-    pub fn keep(&mut self, point: Point) {
+    pub fn keep(&mut self, point: AcceptedPoint) {
         if self.is_whole() && self.here.s != point.time {
             let before = self.before.get_or_insert_with(|| self.here.clone());
             std::mem::swap(before, &mut self.here);
@@ -86,7 +86,7 @@ impl Accepted {
     }
 
     /// Puts a point in the place of the later one.
-    pub fn put(&mut self, point: &Point) {
+    pub fn put(&mut self, point: &AcceptedPoint) {
         self.here.s = point.time;
         let Node { q, d, dd, .. } = &mut self.here;
         for (own, jet) in [q, d, dd].into_iter().zip(point.jets) {

@@ -11,9 +11,9 @@
 //! A chart says whether its position is a guess, which the constraints still correct, or one that is known with S and S', so that
 //! nothing is to be solved: on a smooth branch the constraints have no trustworthy factors at all.
 
-use super::curve::Curve;
+use super::curve::CoordinateCurve;
 use super::extrapolation::Extrapolation;
-use super::place::{Given, Place, Placed};
+use super::place::{Given, Placed, PositionSource};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::mechanism::parts::Parts;
 
@@ -23,29 +23,29 @@ pub(super) enum Chart<'s> {
     /// Coordinates, and bridges across parts' change points.
     Coordinates(Extrapolation<'s>),
     /// A curve of one coordinate.
-    Curve(Box<Curve<'s>>),
+    CoordinateCurve(Box<CoordinateCurve<'s>>),
 }
 
 impl<'s> Chart<'s> {
     /// The curve, where there is one.
-    pub fn curve(&self) -> Option<&Curve<'s>> {
+    pub fn curve(&self) -> Option<&CoordinateCurve<'s>> {
         match self {
-            Chart::Curve(curve) => Some(curve),
+            Chart::CoordinateCurve(curve) => Some(curve),
             Chart::Coordinates(_) => None,
         }
     }
 
     /// The same, to be changed.
-    pub fn curve_mut(&mut self) -> Option<&mut Curve<'s>> {
+    pub fn curve_mut(&mut self) -> Option<&mut CoordinateCurve<'s>> {
         match self {
-            Chart::Curve(curve) => Some(curve),
+            Chart::CoordinateCurve(curve) => Some(curve),
             Chart::Coordinates(_) => None,
         }
     }
 
     fn extrapolation(&mut self) -> &mut Extrapolation<'s> {
         match self {
-            Chart::Curve(curve) => &mut curve.beyond,
+            Chart::CoordinateCurve(curve) => &mut curve.beyond,
             Chart::Coordinates(extrapolation) => extrapolation,
         }
     }
@@ -53,7 +53,7 @@ impl<'s> Chart<'s> {
     /// The bridge, where there is one.
     pub fn bridge(&self) -> Option<&Parts<'s>> {
         match self {
-            Chart::Curve(curve) => curve.beyond.bridge.as_ref(),
+            Chart::CoordinateCurve(curve) => curve.beyond.bridge.as_ref(),
             Chart::Coordinates(extrapolation) => extrapolation.bridge.as_ref(),
         }
     }
@@ -69,7 +69,7 @@ impl<'s> Chart<'s> {
     }
 }
 
-impl<'s> Place<'s> for Chart<'s> {
+impl<'s> PositionSource<'s> for Chart<'s> {
     fn place(
         &mut self,
         given: Given,
@@ -78,14 +78,14 @@ impl<'s> Place<'s> for Chart<'s> {
     ) -> Result<Placed, Failure> {
         match self {
             Chart::Coordinates(extrapolation) => extrapolation.place(given, driven, to),
-            Chart::Curve(curve) => curve.place(given, driven, to),
+            Chart::CoordinateCurve(curve) => curve.place(given, driven, to),
         }
     }
 
     fn forget(&mut self) {
         match self {
             Chart::Coordinates(extrapolation) => extrapolation.forget(),
-            Chart::Curve(curve) => curve.forget(),
+            Chart::CoordinateCurve(curve) => curve.forget(),
         }
     }
 }

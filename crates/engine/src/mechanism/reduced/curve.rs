@@ -2,7 +2,7 @@
 
 use super::accepted::Accepted;
 use super::extrapolation::Extrapolation;
-use super::place::{Given, Place, Placed};
+use super::place::{Given, Placed, PositionSource};
 use super::profile::{Profile, SAMPLES, Terms, Told};
 use crate::mechanism::continuation::{End, HALF_TURN, Parameter, Path, Source, follow};
 use crate::mechanism::driven::{Driven, Failure};
@@ -24,7 +24,7 @@ const CLOSE: f64 = 1e-8;
 
 /// The curve, as far as it was followed.
 #[derive(Clone)]
-pub(super) struct Curve<'s> {
+pub(super) struct CoordinateCurve<'s> {
     path: Option<Path>,
     /// Where positions come from beyond the curve's ends.
     pub beyond: Extrapolation<'s>,
@@ -32,10 +32,10 @@ pub(super) struct Curve<'s> {
     profile: Option<Box<Profile>>,
 }
 
-impl<'s> Curve<'s> {
+impl<'s> CoordinateCurve<'s> {
     /// Not followed yet.
     pub fn new(system: &System, beyond: Extrapolation<'s>) -> Self {
-        Curve {
+        CoordinateCurve {
             path: None,
             beyond,
             profile: (!system.looks_at_places()).then(|| Box::new(Profile::new())),
@@ -183,7 +183,7 @@ fn terms(system: &System, force: &[f64], tangent: &[f64], bend: &[f64]) -> Terms
     ]
 }
 
-impl<'s> Place<'s> for Curve<'s> {
+impl<'s> PositionSource<'s> for CoordinateCurve<'s> {
     fn place(
         &mut self,
         given: Given,

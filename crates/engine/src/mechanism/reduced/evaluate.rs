@@ -2,7 +2,7 @@
 
 use super::Reduced;
 use super::inertia::Inertia;
-use super::place::{Given, Place, Placed};
+use super::place::{Given, Placed, PositionSource};
 use crate::mechanism::driven::{Failure, LAST_STEP};
 use crate::system::System;
 

@@ -1,6 +1,6 @@
 //! Positions by extrapolation from the accepted points.
 
-use super::place::{Given, Place, Placed};
+use super::place::{Given, Placed, PositionSource};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::mechanism::parts::Parts;
 
@@ -10,7 +10,7 @@ pub(super) struct Extrapolation<'s> {
     pub bridge: Option<Parts<'s>>,
 }
 
-impl<'s> Place<'s> for Extrapolation<'s> {
+impl<'s> PositionSource<'s> for Extrapolation<'s> {
     fn place(
         &mut self,
         given: Given,

@@ -1,8 +1,8 @@
 //! What is kept of the ends of accepted steps.
 
 use super::Reduced;
-use super::accepted::Point;
-use super::curve::Curve;
+use super::accepted::AcceptedPoint;
+use super::curve::CoordinateCurve;
 use super::inertia::Inertia;
 use super::place::Placed;
 use crate::mechanism::driven::Failure;
@@ -41,7 +41,7 @@ impl Reduced<'_> {
             evaluated?;
             let jets = [&self.q[..], &self.v, &self.a];
             let tangents = &[];
-            self.accepted.put(&Point {
+            self.accepted.put(&AcceptedPoint {
                 time,
                 jets,
                 tangents,
@@ -73,17 +73,17 @@ impl Reduced<'_> {
         let tangents = self.inertia.known_tangents();
         self.accepted.has_better = better_coordinate(&self.driven, tangents).is_some();
         // A curve that comes round has no ends beyond which positions would be predicted, and what is said needs no prediction.
-        if self.chart.curve().is_some_and(Curve::comes_round) {
+        if self.chart.curve().is_some_and(CoordinateCurve::comes_round) {
             self.accepted.pass(time);
         } else if self.sequence.is_some() {
             self.accepted.set_aside();
-            self.accepted.put(&Point {
+            self.accepted.put(&AcceptedPoint {
                 time,
                 jets: [&self.q, &self.v, &self.a],
                 tangents,
             });
         } else {
-            self.accepted.keep(Point {
+            self.accepted.keep(AcceptedPoint {
                 time,
                 jets: [&self.q, &self.v, &self.a],
                 tangents,

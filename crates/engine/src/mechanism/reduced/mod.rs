@@ -54,13 +54,13 @@ use crate::element::pair::Hold;
 use crate::system::{Evaluation, Inputs, System};
 use accepted::Accepted;
 use chart::Chart;
-use curve::Curve;
+use curve::CoordinateCurve;
 pub use curves::ChangePoint;
 use evaluate::wants_factors;
 use extrapolation::Extrapolation;
 use inertia::Inertia;
 pub use inertia::Solver;
-use place::{Place, Placed};
+use place::{Placed, PositionSource};
 use sequence::Sequence;
 use stages::Stages;
 
@@ -132,7 +132,10 @@ impl<'s> Reduced<'s> {
         let (n, f) = (system.n(), columns.len());
         let zero = vec![0.0; n];
         let chart = if is_curve {
-            Chart::Curve(Box::new(Curve::new(system, Extrapolation::default())))
+            Chart::CoordinateCurve(Box::new(CoordinateCurve::new(
+                system,
+                Extrapolation::default(),
+            )))
         } else {
             Chart::Coordinates(Extrapolation::default())
         };

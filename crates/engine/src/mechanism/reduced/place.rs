@@ -37,7 +37,7 @@ pub(super) enum Placed {
 }
 
 /// Where positions come from.
-pub(super) trait Place<'s> {
+pub(super) trait PositionSource<'s> {
     /// Puts q (n) at the given coordinates, or near, and where they are known S and S' beside it (n); `driven` becomes the solver to
     /// correct it with.
     ///

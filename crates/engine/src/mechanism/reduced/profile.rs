@@ -24,7 +24,7 @@ pub(super) type Terms = [f64; 4];
 /// What is known of the stretches so far.
 #[derive(Clone)]
 pub(super) struct Profile {
-    stretches: Vec<Stretch>,
+    stretches: Vec<ProfileStretch>,
     /// The one requested last.
     last: usize,
     /// Stretches per unit of the coordinate.
@@ -35,7 +35,7 @@ pub(super) struct Profile {
 }
 
 #[derive(Clone)]
-struct Stretch {
+struct ProfileStretch {
     /// Stretches are numbered from the coordinate's zero, and stand by number.
     number: i64,
     /// Coefficients of the powers of the place, from -1 to 1; `None` if no such polynomial tells it.
@@ -120,7 +120,7 @@ impl Profile {
     pub fn take(&mut self, u: f64, samples: Option<&[Terms; SAMPLES]>, error: f64) {
         let powers = samples.and_then(|samples| powers(samples, self.unit, error));
         self.in_vain += u32::from(powers.is_none());
-        let stretch = Stretch {
+        let stretch = ProfileStretch {
             number: floor(u * self.density),
             powers,
         };

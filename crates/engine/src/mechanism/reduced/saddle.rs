@@ -43,7 +43,7 @@ struct Parts {
 
 /// Where a derivative goes: its slot, the other side's, and by what scale.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct EntryTarget {
     slot: u32,
     mirrored: u32,
     scale: f64,
@@ -64,10 +64,10 @@ pub(super) struct Saddle {
     /// Where the entries of M, of J (and Jᵀ), of the forces' derivatives and of the constraints' are.
     inertia: Vec<(u32, f64)>,
     jacobian: Vec<[u32; 2]>,
-    slopes: Vec<Place>,
+    slopes: Vec<EntryTarget>,
     /// Places and number of C's entries, for products.
     damped: Vec<[u32; 3]>,
-    bends: Vec<Place>,
+    bends: Vec<EntryTarget>,
     /// Their values.
     position: Vec<f64>,
     velocity: Vec<f64>,
@@ -142,11 +142,12 @@ impl Saddle {
             .collect();
         let (of_masses, rest) = found.split_at(masses.len());
         let (of_jacobian, rest) = rest.split_at(system.entries.len());
-        let place = |(&[slot, mirrored], [row, column]): (&[u32; 2], &[Option<usize>; 2])| Place {
-            slot,
-            mirrored,
-            scale: row.map_or(0.0, scale) * column.map_or(0.0, scale),
-        };
+        let place =
+            |(&[slot, mirrored], [row, column]): (&[u32; 2], &[Option<usize>; 2])| EntryTarget {
+                slot,
+                mirrored,
+                scale: row.map_or(0.0, scale) * column.map_or(0.0, scale),
+            };
         let scaled = masses.iter().map(|(i, j, m)| m * scale(*i) * scale(*j));
         let unit = scaled.clone().fold(0.0, f64::max);
         let unit = if unit > 0.0 { unit } else { 1.0 };

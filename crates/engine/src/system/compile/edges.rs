@@ -29,7 +29,7 @@ const SPIKE: f64 = 1e3;
 
 /// A piece of an outline in the frame of its body.
 #[derive(Debug, Clone, Copy)]
-enum Way {
+enum OutlinePiece {
     Straight([Vec2; 2]),
     /// An arc about a centre, which turns left where the radius is positive.
     Arc {
@@ -39,14 +39,14 @@ enum Way {
     },
 }
 
-impl Way {
+impl OutlinePiece {
     /// From one point to another, by an arc where there is a radius.
-    fn between(from: [f64; 2], to: [f64; 2], radius: f64) -> Way {
+    fn between(from: [f64; 2], to: [f64; 2], radius: f64) -> OutlinePiece {
         let ends = [from, to].map(Vec2::from);
         if radius == 0.0 {
-            return Way::Straight(ends);
+            return OutlinePiece::Straight(ends);
         }
-        Way::Arc {
+        OutlinePiece::Arc {
             ends,
             centre: arc_centre(from, to, radius).into(),
             radius,
@@ -56,8 +56,8 @@ impl Way {
     /// Directions of the way at its beginning and at its end.
     fn directions(&self) -> [Vec2; 2] {
         match self {
-            Way::Straight([from, to]) => [(to - from).normalize(); 2],
-            Way::Arc {
+            OutlinePiece::Straight([from, to]) => [(to - from).normalize(); 2],
+            OutlinePiece::Arc {
                 ends,
                 centre,
                 radius,
@@ -67,7 +67,7 @@ impl Way {
 
     fn ends(&self) -> [Vec2; 2] {
         match self {
-            Way::Straight(ends) | Way::Arc { ends, .. } => *ends,
+            OutlinePiece::Straight(ends) | OutlinePiece::Arc { ends, .. } => *ends,
         }
     }
 
@@ -198,13 +198,13 @@ impl Tip {
         Piece::Round(journal, Sector::between(angle(from), angle(to)))
     }
 
-    fn piece(&self, way: &Way) -> Piece {
+    fn piece(&self, way: &OutlinePiece) -> Piece {
         match *way {
-            Way::Straight(ends) => {
+            OutlinePiece::Straight(ends) => {
                 let ends = ends.map(|end| self.marker(end));
                 Piece::Straight(Straight::new(ends, self.centre, self.radius, self.size))
             }
-            Way::Arc {
+            OutlinePiece::Arc {
                 ends,
                 centre,
                 radius,
@@ -218,7 +218,7 @@ impl Tip {
         }
     }
 
-    fn seam(&self, [way, next]: [&Way; 2], corner: Vec2) -> Seam {
+    fn seam(&self, [way, next]: [&OutlinePiece; 2], corner: Vec2) -> Seam {
         let (u, v) = (way.directions()[1], next.directions()[0]);
         let turn = Turn::between(u, v);
         if turn.is_hollow() {
@@ -241,10 +241,10 @@ impl Tip {
     }
 
     /// What a closed outline bounds.
-    fn enclosure(&self, ways: &[Way], edges: Range<usize>) -> Enclosure {
+    fn enclosure(&self, ways: &[OutlinePiece], edges: Range<usize>) -> Enclosure {
         let ways = ways.iter().map(|way| match *way {
-            Way::Straight(ends) => (ends, None),
-            Way::Arc {
+            OutlinePiece::Straight(ends) => (ends, None),
+            OutlinePiece::Arc {
                 ends,
                 centre,
                 radius,
@@ -259,7 +259,7 @@ impl Tip {
     }
 
     /// What it may touch: the ways, and corners between them, with how each goes on.
-    fn pieces(&self, ways: &[Way]) -> Vec<(Piece, [End; 2])> {
+    fn pieces(&self, ways: &[OutlinePiece]) -> Vec<(Piece, [End; 2])> {
         let over = |index: usize| End {
             next: Some(ContactId(self.first + index)),
             ..End::default()
@@ -348,16 +348,16 @@ fn span(outline: &[Vec<f64>]) -> f64 {
 }
 
 /// The way after another, and where they meet; none after the end of an open outline.
-fn after(ways: &[Way], k: usize) -> Option<(&Way, Vec2)> {
+fn after(ways: &[OutlinePiece], k: usize) -> Option<(&OutlinePiece, Vec2)> {
     let next = &ways[(k + 1) % ways.len()];
     let [_, to] = ways[k].ends();
     (next.ends()[0] == to).then_some((next, to))
 }
 
-fn ways(corners: &[Corner]) -> Vec<Way> {
+fn ways(corners: &[Corner]) -> Vec<OutlinePiece> {
     let pairs = corners.windows(2);
     pairs
-        .map(|pair| Way::between(pair[0].0, pair[1].0, pair[1].1))
+        .map(|pair| OutlinePiece::between(pair[0].0, pair[1].0, pair[1].1))
         .collect()
 }
 

@@ -7,7 +7,7 @@ use crate::contact::{friction, normal};
 use crate::element::clasp::Clasp;
 use crate::element::journal::Free;
 use crate::element::pair::{Compliant, ContactId, Pair, Rigid, Shape, Surface};
-use crate::element::stop::{Kept, Side, Stop, Way};
+use crate::element::stop::{Kept, Side, Stop, Travel};
 use crate::system::{ContactRows, JointId, LOCK, ONE_WAY, Origin, Owner};
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::{JointKind, Latch, OneWay, PointRef, Stops};
@@ -17,7 +17,7 @@ use std::sync::Arc;
 struct End<'m> {
     owner: Owner,
     between: &'m [PointRef; 2],
-    way: Way,
+    way: Travel,
 }
 
 impl Compiler<'_> {
@@ -64,17 +64,17 @@ impl Compiler<'_> {
             let end = End {
                 owner: Owner::Force(k),
                 between,
-                way: Way::Apart,
+                way: Travel::Apart,
             };
             self.add_ends(&end, &stops);
         }
     }
 
     /// L of a way: at which an angle is measured \[m\], or 1 of a length.
-    fn arm(&self, way: Way) -> f64 {
+    fn arm(&self, way: Travel) -> f64 {
         match way {
-            Way::Turn => self.system.size,
-            Way::Along(_) | Way::Apart => 1.0,
+            Travel::Turn => self.system.size,
+            Travel::Along(_) | Travel::Apart => 1.0,
         }
     }
 
@@ -145,11 +145,11 @@ impl Compiler<'_> {
 }
 
 /// What of a joint has ends.
-fn way(kind: &JointKind) -> Way {
+fn way(kind: &JointKind) -> Travel {
     // The gate lets turning and sliding joints alone have stops.
     match kind.guide() {
-        Some(axis) => Way::Along(unit(Vec2::from(axis))),
-        None => Way::Turn,
+        Some(axis) => Travel::Along(unit(Vec2::from(axis))),
+        None => Travel::Turn,
     }
 }
 

@@ -4,7 +4,7 @@ const MOST: usize = 200;
 
 /// What is known of the function at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct GuardPoint {
     pub time: f64,
     pub value: f64,
 }
@@ -12,8 +12,8 @@ pub struct Point {
 /// Two times with a root between them: f(low) ≤ 0 < f(high).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bracket {
-    pub low: Point,
-    pub high: Point,
+    pub low: GuardPoint,
+    pub high: GuardPoint,
 }
 
 impl Bracket {
@@ -54,7 +54,7 @@ pub fn locate<E>(
         }
         let least = (0.5 * narrow / width).min(0.5);
         let time = last.time + part.clamp(least, 1.0 - least) * (other.time - last.time);
-        let here = Point {
+        let here = GuardPoint {
             time,
             value: f(time)?,
         };
@@ -75,7 +75,7 @@ pub fn locate<E>(
 
 /// The part of the way from the first to the second point at which the inverse quadratic through all three has its root, where
 /// it is monotone between them.
-fn interpolated([one, two, three]: [Point; 3]) -> Option<f64> {
+fn interpolated([one, two, three]: [GuardPoint; 3]) -> Option<f64> {
     let place = (one.time - two.time) / (three.time - two.time);
     let height = (one.value - two.value) / (three.value - two.value);
     let is_monotone = height * height < place && (1.0 - height) * (1.0 - height) < 1.0 - place;
@@ -94,7 +94,7 @@ mod tests {
 
     fn root(low: f64, high: f64, narrow: f64, f: &dyn Fn(f64) -> f64) -> (Bracket, usize) {
         let mut calls = 0;
-        let [low, high] = [low, high].map(|time| Point {
+        let [low, high] = [low, high].map(|time| GuardPoint {
             time,
             value: f(time),
         });

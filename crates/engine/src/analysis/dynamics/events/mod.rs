@@ -6,7 +6,7 @@ mod sweep;
 
 use super::fault::Fault;
 use super::steps::LastStep;
-use locate::{Bracket, Point, locate};
+use locate::{Bracket, GuardPoint, locate};
 use sweep::Sweep;
 
 /// Points within a step at which guards are evaluated once one of them has been positive somewhere.
@@ -101,7 +101,7 @@ fn guard(step: &mut LastStep, time: f64) -> Result<f64, Fault> {
 /// An event between two times, of which guards are positive at the later one alone.
 fn between(step: &mut LastStep, low: f64, high: f64) -> Result<Option<Bracket>, Fault> {
     let mut point = |time: f64| {
-        Ok::<_, Fault>(Point {
+        Ok::<_, Fault>(GuardPoint {
             time,
             value: guard(step, time)?,
         })
@@ -114,7 +114,7 @@ fn between(step: &mut LastStep, low: f64, high: f64) -> Result<Option<Bracket>, 
 fn search(step: &mut LastStep) -> Result<Option<Bracket>, Fault> {
     let (from, to) = (step.from(), step.to());
     let mut point = |time: f64| {
-        Ok::<_, Fault>(Point {
+        Ok::<_, Fault>(GuardPoint {
             time,
             value: guard(step, time)?,
         })

@@ -9,7 +9,7 @@
 //! of its arguments. The guards of contacts that touch depend on forces: they are known at the evaluations alone.
 
 use super::course::{Course, Doubt};
-use super::locate::{Bracket, Point};
+use super::locate::{Bracket, GuardPoint};
 use crate::analysis::dynamics::fault::Fault;
 use crate::analysis::dynamics::flow::{Flow, Least, Mark, Sample};
 use crate::analysis::dynamics::steps::LastStep;
@@ -52,8 +52,8 @@ impl Node {
         self.levels.extend_from_slice(mark.levels);
     }
 
-    fn point(&self) -> Point {
-        Point {
+    fn point(&self) -> GuardPoint {
+        GuardPoint {
             time: self.time,
             value: self.largest,
         }

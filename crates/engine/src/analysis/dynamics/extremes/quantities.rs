@@ -7,7 +7,7 @@ const MOST_WATCHED: usize = 1000;
 
 /// What is watched: a column, or the size of a joint's force, of whose components the columns are.
 #[derive(Debug, Clone, Copy)]
-pub enum Quantity {
+pub enum WatchedQuantity {
     /// By number.
     Column(usize),
     /// Of these two columns.
@@ -18,7 +18,7 @@ pub enum Quantity {
 #[derive(Debug, Clone, Copy)]
 pub struct Watched {
     /// What it is.
-    pub quantity: Quantity,
+    pub quantity: WatchedQuantity,
     /// Number of its unit.
     pub unit: usize,
     /// Column of its rate.
@@ -29,12 +29,12 @@ pub struct Watched {
     pub of_contact: bool,
 }
 
-impl Quantity {
+impl WatchedQuantity {
     /// Its value in a row.
     pub fn of(self, row: &[f64]) -> f64 {
         match self {
-            Quantity::Column(column) => row[column],
-            Quantity::Size([x, y]) => row[x].hypot(row[y]),
+            WatchedQuantity::Column(column) => row[column],
+            WatchedQuantity::Size([x, y]) => row[x].hypot(row[y]),
         }
     }
 }
@@ -84,7 +84,7 @@ pub fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize)
         found.push((
             rank,
             Watched {
-                quantity: Quantity::Column(index),
+                quantity: WatchedQuantity::Column(index),
                 unit,
                 rate: channel.rate().and_then(at),
                 steady,
@@ -98,7 +98,7 @@ pub fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize)
         if let Some(across) =
             across.filter(|across| selected.iter().any(|id| id.index() == *across))
         {
-            let quantity = Quantity::Size([index, across]);
+            let quantity = WatchedQuantity::Size([index, across]);
             found.push((
                 0,
                 Watched {

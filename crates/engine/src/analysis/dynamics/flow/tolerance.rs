@@ -1,7 +1,7 @@
 //! How exact a step of the motion has to be, component by component of y.
 
 use super::Flow;
-use crate::analysis::dynamics::settings::Wanted;
+use crate::analysis::dynamics::settings::Exactness;
 use crate::element::pair::{Pair, Shape, Surface};
 use crate::integrate::Tolerance;
 
@@ -25,7 +25,7 @@ impl Flow<'_> {
     /// smallest depth at which a contact would hold all the kinetic energy of the moment, where that is less: an error of the
     /// penetration is one of the energy, force times error. Rates near zero are measured
     /// against `SLOW`.
-    pub fn tolerance(&self, wanted: Wanted) -> Tolerance {
+    pub fn tolerance(&self, wanted: Exactness) -> Tolerance {
         let layout = &self.layout;
         let dimension = layout.dimension();
         let system = self.system();

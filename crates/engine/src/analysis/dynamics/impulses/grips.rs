@@ -38,7 +38,7 @@ const CHOICES: usize = 1 << 14;
 
 /// What a contact does from the instant on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Mode {
+pub(super) enum ContactMode {
     /// It presses no more.
     Leaves,
     /// It presses and does not slide.
@@ -97,7 +97,7 @@ impl<'a> Grips<'a> {
     }
 
     /// What they do, with (N, T) of each; `None` if there is no solution.
-    pub fn solve(&self) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
+    pub fn solve(&self) -> Option<(Vec<ContactMode>, Vec<[f64; 2]>)> {
         // Nothing presses at first, and where that leads nowhere, all that can.
         (0..2)
             .find_map(|start| self.from(start))
@@ -105,12 +105,12 @@ impl<'a> Grips<'a> {
     }
 
     /// The same from one of the choices of each.
-    fn from(&self, start: usize) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
+    fn from(&self, start: usize) -> Option<(Vec<ContactMode>, Vec<[f64; 2]>)> {
         let first = (0..self.along.len()).map(|k| {
             let choices = self.choices(k);
             choices[start.min(choices.len() - 1)]
         });
-        let mut modes: Vec<Mode> = first.collect();
+        let mut modes: Vec<ContactMode> = first.collect();
         for _ in 0..CHANGES * (modes.len() + 1) {
             match self.attempt(&modes) {
                 Attempt::Solved(forces) => return Some((modes, forces)),
@@ -122,41 +122,41 @@ impl<'a> Grips<'a> {
         None
     }
 
-    fn choices(&self, k: usize) -> Vec<Mode> {
+    fn choices(&self, k: usize) -> Vec<ContactMode> {
         if self.free[0][k] == f64::NEG_INFINITY {
-            return vec![Mode::Leaves];
+            return vec![ContactMode::Leaves];
         }
         match self.along[k] {
-            _ if self.held == Some(k) => vec![Mode::Sticks],
-            Along::Slides(ratio) => vec![Mode::Leaves, Mode::Slips(ratio)],
+            _ if self.held == Some(k) => vec![ContactMode::Sticks],
+            Along::Slides(ratio) => vec![ContactMode::Leaves, ContactMode::Slips(ratio)],
             Along::Rests(most) => vec![
-                Mode::Leaves,
-                Mode::Sticks,
-                Mode::Slips(most),
-                Mode::Slips(-most),
+                ContactMode::Leaves,
+                ContactMode::Sticks,
+                ContactMode::Slips(most),
+                ContactMode::Slips(-most),
             ],
         }
     }
 
     /// Impulses after which what presses comes no nearer, what sticks does not slide, and what begins to slide does not slide the
     /// other way, be it by round-off: that would be an event at once, and another one.
-    pub fn resting(&self, modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
+    pub fn resting(&self, modes: &[ContactMode]) -> Option<Vec<[f64; 2]>> {
         let slides_back = |k: usize, ratio: f64| {
             matches!(self.along[k], Along::Rests(_)) && self.free[1][k] * ratio > 0.0
         };
         let smooth = |stops: bool| {
             let modes = modes.iter().enumerate().map(|(k, mode)| match *mode {
-                Mode::Slips(ratio) if stops && slides_back(k, ratio) => Mode::Sticks,
-                Mode::Slips(_) => Mode::Slips(0.0),
-                Mode::Leaves | Mode::Sticks => *mode,
+                ContactMode::Slips(ratio) if stops && slides_back(k, ratio) => ContactMode::Sticks,
+                ContactMode::Slips(_) => ContactMode::Slips(0.0),
+                ContactMode::Leaves | ContactMode::Sticks => *mode,
             });
-            self.forces(&modes.collect::<Vec<Mode>>())
+            self.forces(&modes.collect::<Vec<ContactMode>>())
         };
         smooth(true).or_else(|| smooth(false))
     }
 
     /// (N, T) in these modes, and whether nothing contradicts them.
-    fn attempt(&self, modes: &[Mode]) -> Attempt {
+    fn attempt(&self, modes: &[ContactMode]) -> Attempt {
         let Some(forces) = self.forces(modes) else {
             return Attempt::Singular;
         };
@@ -167,25 +167,27 @@ impl<'a> Grips<'a> {
         for (k, &mode) in modes.iter().enumerate() {
             let [normal, tangential] = forces[k];
             let wrong = match (mode, self.along[k]) {
-                (Mode::Leaves, along) => {
+                (ContactMode::Leaves, along) => {
                     let presses = self.free[0][k] - changed[2 * k] > EVEN * scale;
                     presses.then_some(match along {
-                        Along::Slides(ratio) => Mode::Slips(ratio),
-                        Along::Rests(_) => Mode::Sticks,
+                        Along::Slides(ratio) => ContactMode::Slips(ratio),
+                        Along::Rests(_) => ContactMode::Sticks,
                     })
                 }
-                (Mode::Sticks | Mode::Slips(_), _) if normal < 0.0 => Some(Mode::Leaves),
-                (Mode::Sticks, Along::Rests(most)) => {
+                (ContactMode::Sticks | ContactMode::Slips(_), _) if normal < 0.0 => {
+                    Some(ContactMode::Leaves)
+                }
+                (ContactMode::Sticks, Along::Rests(most)) => {
                     let beyond = if self.held == Some(k) { NEAR } else { GRIP };
                     (tangential.abs() > (1.0 + beyond) * most * normal)
-                        .then_some(Mode::Slips(most * tangential.signum()))
+                        .then_some(ContactMode::Slips(most * tangential.signum()))
                 }
-                (Mode::Slips(ratio), Along::Rests(_)) => {
+                (ContactMode::Slips(ratio), Along::Rests(_)) => {
                     let rate = self.free[1][k] + changed[2 * k + 1];
                     let even = EVEN * self.free[1][k].abs().max(sizes[2 * k + 1]);
-                    (rate * ratio.signum() > even).then_some(Mode::Sticks)
+                    (rate * ratio.signum() > even).then_some(ContactMode::Sticks)
                 }
-                (Mode::Sticks | Mode::Slips(_), Along::Slides(_)) => None,
+                (ContactMode::Sticks | ContactMode::Slips(_), Along::Slides(_)) => None,
             };
             if let Some(mode) = wrong {
                 return Attempt::Wrong(k, mode);
@@ -195,21 +197,21 @@ impl<'a> Grips<'a> {
     }
 
     /// (N, T) in these modes; `None` if they hold something twice.
-    pub fn forces(&self, modes: &[Mode]) -> Option<Vec<[f64; 2]>> {
+    pub fn forces(&self, modes: &[ContactMode]) -> Option<Vec<[f64; 2]>> {
         // Rows of W that are conditions: contact and way.
         let conditions: Vec<usize> = (0..2 * modes.len())
             .filter(|row| match modes[row / 2] {
-                Mode::Leaves => false,
-                Mode::Sticks => true,
-                Mode::Slips(_) => row % 2 == 0,
+                ContactMode::Leaves => false,
+                ContactMode::Sticks => true,
+                ContactMode::Slips(_) => row % 2 == 0,
             })
             .collect();
         if conditions.is_empty() {
             return Some(vec![[0.0; 2]; modes.len()]);
         }
         let ratio = |column: usize| match modes[column / 2] {
-            Mode::Slips(ratio) => ratio,
-            Mode::Leaves | Mode::Sticks => 0.0,
+            ContactMode::Slips(ratio) => ratio,
+            ContactMode::Leaves | ContactMode::Sticks => 0.0,
         };
         let mass = DMatrix::from_fn(conditions.len(), conditions.len(), |i, j| {
             let (row, column) = (conditions[i], conditions[j]);
@@ -235,7 +237,7 @@ impl<'a> Grips<'a> {
         let mut forces = vec![[0.0; 2]; modes.len()];
         for (&row, force) in conditions.iter().zip(found.iter()) {
             forces[row / 2][row % 2] = *force;
-            if let Mode::Slips(ratio) = modes[row / 2] {
+            if let ContactMode::Slips(ratio) = modes[row / 2] {
                 forces[row / 2][1] = ratio * force;
             }
         }
@@ -247,7 +249,7 @@ impl<'a> Grips<'a> {
 enum Attempt {
     Solved(Vec<[f64; 2]>),
     /// The first that contradicts, and what it asks for.
-    Wrong(usize, Mode),
+    Wrong(usize, ContactMode),
     Singular,
 }
 

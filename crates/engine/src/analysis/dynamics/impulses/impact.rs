@@ -10,7 +10,7 @@
 //! of them, they part, and the impulses of all come of one problem (see [`super::touching`]).
 
 use super::grips::Grips;
-use super::point::Point;
+use super::point::ContactPoint;
 use super::touching::{Along, Touching};
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::state::Sums;
@@ -32,7 +32,7 @@ pub(super) struct Strike {
 
 impl Strike {
     /// The impact of a journal with the velocities of `reading`.
-    pub fn new(flow: &mut Flow, point: &Point, law: &Rigid, reading: &Reading) -> Self {
+    pub fn new(flow: &mut Flow, point: &ContactPoint, law: &Rigid, reading: &Reading) -> Self {
         let velocity = [-reading.rate, reading.sliding];
         let found = resolve(
             point.mass,

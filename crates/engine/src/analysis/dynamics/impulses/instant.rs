@@ -1,8 +1,8 @@
 //! The mechanism at an instant at which contacts act at once: its state, its constraints, and the books on both.
 
-use super::grips::Mode;
+use super::grips::ContactMode;
 use super::jamming::Jams;
-use super::point::Point;
+use super::point::ContactPoint;
 use super::touching::Touching;
 use crate::analysis::dynamics::flow::Flow;
 use crate::analysis::dynamics::ledger::{Entry, Ledger};
@@ -46,13 +46,25 @@ impl Instant<'_, '_> {
     }
 
     /// Impulses at one contact, which dissipate and slide so much.
-    pub(super) fn push(&mut self, contact: usize, point: &Point, impulse: [f64; 2], sums: Sums) {
+    pub(super) fn push(
+        &mut self,
+        contact: usize,
+        point: &ContactPoint,
+        impulse: [f64; 2],
+        sums: Sums,
+    ) {
         point.apply(self.state.rates_mut(), impulse);
         self.count(contact, point, impulse, sums);
     }
 
     /// What impulses have done goes into the sums of their contact and the work.
-    pub(super) fn count(&mut self, contact: usize, point: &Point, impulse: [f64; 2], sums: Sums) {
+    pub(super) fn count(
+        &mut self,
+        contact: usize,
+        point: &ContactPoint,
+        impulse: [f64; 2],
+        sums: Sums,
+    ) {
         self.state.add_sums(contact, sums);
         let (force, change) = (
             point.sum(&point.forces, impulse),
@@ -143,7 +155,7 @@ impl Instant<'_, '_> {
     }
 
     /// All contacts do this from here, which were held so before; those that leave end their episodes.
-    pub(super) fn take(&mut self, were: &[Hold], modes: &[Mode]) -> Result<(), Failure> {
+    pub(super) fn take(&mut self, were: &[Hold], modes: &[ContactMode]) -> Result<(), Failure> {
         // Latches that hold are held already.
         let mut holds = self.flow.holds();
         for (contact, mode) in modes.iter().enumerate() {
@@ -152,20 +164,20 @@ impl Instant<'_, '_> {
             }
             let pair = &self.flow.system().contacts[contact];
             let (hold, way, anchor) = match *mode {
-                Mode::Leaves => continue,
+                ContactMode::Leaves => continue,
                 // It holds where it has begun to.
-                Mode::Slips(_) if pair.is_one_way() && were[contact] == Hold::Slides => {
+                ContactMode::Slips(_) if pair.is_one_way() && were[contact] == Hold::Slides => {
                     (Hold::Slides, 0, self.flow.memories()[contact].anchor)
                 }
-                Mode::Slips(_) if pair.is_one_way() => {
+                ContactMode::Slips(_) if pair.is_one_way() => {
                     let at = self.flow.equations.kinematics();
                     (Hold::Slides, 0, pair.anchor(&at, ContactId(contact)))
                 }
-                Mode::Slips(ratio) => (Hold::Slides, -sign(ratio), 0.0),
-                Mode::Sticks if were[contact] == Hold::Sticks => {
+                ContactMode::Slips(ratio) => (Hold::Slides, -sign(ratio), 0.0),
+                ContactMode::Sticks if were[contact] == Hold::Sticks => {
                     (Hold::Sticks, 0, self.flow.memories()[contact].anchor)
                 }
-                Mode::Sticks => {
+                ContactMode::Sticks => {
                     let at = self.flow.equations.kinematics();
                     let anchor = pair.anchor(&at, ContactId(contact));
                     (Hold::Sticks, 0, anchor)

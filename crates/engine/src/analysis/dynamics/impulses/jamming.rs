@@ -81,7 +81,7 @@ impl Jams {
 }
 
 /// Pushes in a jam.
-pub(super) struct Way {
+pub(super) struct JamPushes {
     /// Place of k among the contacts.
     pub leader: usize,
     /// z, 1 for k.
@@ -92,9 +92,9 @@ pub(super) struct Way {
     pub margin: f64,
 }
 
-impl Way {
+impl JamPushes {
     /// The pushes with the least d.
-    pub fn find(flow: &Flow, touching: &Touching) -> Option<Way> {
+    pub fn find(flow: &Flow, touching: &Touching) -> Option<JamPushes> {
         let ratios = touching.friction_ratios(flow);
         let mass = touching.inverse_mass(&ratios);
         let ways = touching
@@ -105,7 +105,7 @@ impl Way {
                 let sizes = touching.pushed_by(leader, &mass)?;
                 let parts = sizes.iter().enumerate();
                 let d: f64 = parts.map(|(j, size)| mass[(leader, j)] * size).sum();
-                Some(Way {
+                Some(JamPushes {
                     leader,
                     margin: d / dot(&point.forces[0], &point.changes[0]),
                     sizes,
@@ -148,7 +148,11 @@ impl Way {
 }
 
 /// Impulses that end a jam: one of the contacts that slide stops, or what a time step that goes to zero leaves, or they are pushed along the way.
-pub(super) fn stop(flow: &Flow, touching: &Touching, way: Option<&Way>) -> Option<Vec<[f64; 2]>> {
+pub(super) fn stop(
+    flow: &Flow,
+    touching: &Touching,
+    way: Option<&JamPushes>,
+) -> Option<Vec<[f64; 2]>> {
     let way = || way.filter(|way| way.margin <= TIGHT);
     stop_one(flow, touching)
         .or_else(|| vanishing(flow, touching))

@@ -1,7 +1,7 @@
 //! Jams that end: impulses that stop sliding (see [`super::jamming`]), and what comes of them.
 
-use super::grips::Mode;
-use super::jamming::{Way, stop};
+use super::grips::ContactMode;
+use super::jamming::{JamPushes, stop};
 use super::touching::Touching;
 use super::{Impulses, at_rest};
 use crate::analysis::dynamics::words::TIGHT;
@@ -10,14 +10,18 @@ use crate::mechanism::driven::Failure;
 
 impl Impulses<'_, '_> {
     /// Impulses that stop sliding in a jam, and what comes of them. `way` is how it jams.
-    pub(super) fn end_jam(&mut self, touching: &Touching, way: Option<Way>) -> Result<(), Failure> {
+    pub(super) fn end_jam(
+        &mut self,
+        touching: &Touching,
+        way: Option<JamPushes>,
+    ) -> Result<(), Failure> {
         self.at.jams.begin(self.at.flow, touching, self.at.time)?;
         if let Some(way) = way.as_ref().filter(|way| way.is_alone()) {
             // One contact by itself is an impact from its beginning, and restitution gives back of all that it presses in.
             let leader = touching.contacts[way.leader];
             let none = self.at.flow.memories().len();
             self.at
-                .take(&vec![Hold::Free; none], &vec![Mode::Leaves; none])?;
+                .take(&vec![Hold::Free; none], &vec![ContactMode::Leaves; none])?;
             let mut reading = self.at.flow.reading(leader);
             reading.rate = 0.0;
             self.impact(leader, &reading)?;
@@ -45,7 +49,7 @@ impl Impulses<'_, '_> {
         let were = self.at.release_all()?;
         let contacts = (0..were.len()).filter(|&contact| were[contact] != Hold::Free);
         let touching = Touching::new(self.at.flow, contacts.collect());
-        let way = Way::find(self.at.flow, &touching);
+        let way = JamPushes::find(self.at.flow, &touching);
         let jams = way.as_ref().is_some_and(|way| way.margin <= TIGHT);
         if is_answered && margin > TIGHT && !jams {
             return Err(Failure::Singular);

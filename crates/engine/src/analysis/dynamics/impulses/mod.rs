@@ -21,10 +21,10 @@ use super::state::Sums;
 use crate::analysis::ends;
 use crate::element::pair::{Contact, Hold, Phase, Reading, Rigid, Surface};
 use crate::mechanism::driven::Failure;
-use grips::{Grips, Mode};
+use grips::{ContactMode, Grips};
 use impact::Strike;
-use jamming::Way;
-use point::{LOWEST, Point, acting, acting_of, approach_acceleration, touches};
+use jamming::JamPushes;
+use point::{ContactPoint, LOWEST, acting, acting_of, approach_acceleration, touches};
 use touching::Touching;
 
 pub use instant::Instant;
@@ -135,7 +135,7 @@ impl<'a, 's> Impulses<'a, 's> {
         let Surface::Rigid(rigid) = pair.surface else {
             return Ok(());
         };
-        let point = Point::new(self.at.flow, contact, reading);
+        let point = ContactPoint::new(self.at.flow, contact, reading);
         let entry = self.at.entry(contact, reading);
         let height = self.lowest * pair.size();
         let mut strike = Strike::new(self.at.flow, &point, &rigid, reading);
@@ -314,7 +314,7 @@ impl<'a, 's> Impulses<'a, 's> {
         let parts = || (parting != free).then(|| solve(&parting)).flatten();
         let found = solve(&free).or_else(parts);
         let Some((found, _)) = found else {
-            let way = Way::find(self.at.flow, &touching);
+            let way = JamPushes::find(self.at.flow, &touching);
             return self.end_jam(&touching, way);
         };
         // What is left of the velocities where an event was located goes by impulses too, which take no energy.
@@ -326,19 +326,19 @@ impl<'a, 's> Impulses<'a, 's> {
         if let Some(pushes) = pushes {
             self.at.push_all(&touching, &pushes)?;
         }
-        let mut modes = vec![Mode::Leaves; were.len()];
+        let mut modes = vec![ContactMode::Leaves; were.len()];
         let contacts = touching.contacts.iter().zip(found);
         contacts.for_each(|(&contact, mode)| modes[contact] = mode);
         match self.at.take(were, &modes) {
             // These forces answer the motion, but do not come of those without friction.
             Err(Failure::Locked { .. }) => {
-                let way = Way::find(self.at.flow, &touching);
+                let way = JamPushes::find(self.at.flow, &touching);
                 self.end_jam(&touching, way)
             }
             Ok(()) if self.is_contradicted(&modes) => {
                 self.at.release_all()?;
                 let touching = Touching::new(self.at.flow, touching.contacts);
-                let way = Way::find(self.at.flow, &touching);
+                let way = JamPushes::find(self.at.flow, &touching);
                 self.end_jam(&touching, way)
             }
             gone => gone,
@@ -347,9 +347,9 @@ impl<'a, 's> Impulses<'a, 's> {
 
     /// Whether contacts that press by these modes are pulled, where their forces are all but undetermined: d is zero then but for
     /// round-off, and no forces answer the motion.
-    fn is_contradicted(&self, modes: &[Mode]) -> bool {
+    fn is_contradicted(&self, modes: &[ContactMode]) -> bool {
         let flow = &*self.at.flow;
-        let presses = |contact: usize| modes[contact] != Mode::Leaves;
+        let presses = |contact: usize| modes[contact] != ContactMode::Leaves;
         flow.equations.dependent_forces().margin().abs() <= UNDETERMINED
             && acting_of(flow, presses).is_some()
     }

@@ -20,7 +20,7 @@ pub fn at_rest(flow: &Flow) -> f64 {
 }
 
 /// Directions of an impact and what unit impulses along them change.
-pub(super) struct Point {
+pub(super) struct ContactPoint {
     /// Generalized forces of unit forces there (n).
     pub(super) forces: [Vec<f64>; 2],
     rates: [Vec<f64>; 2],
@@ -30,7 +30,7 @@ pub(super) struct Point {
     pub(super) mass: [[f64; 2]; 2],
 }
 
-impl Point {
+impl ContactPoint {
     /// Of a contact with this reading, at the last evaluation.
     pub(super) fn new(flow: &mut Flow, contact: usize, reading: &Reading) -> Self {
         let system = flow.system();
@@ -54,7 +54,7 @@ impl Point {
             [dot(&forces[0], &changes[0]), coupling],
             [coupling, dot(&forces[1], &changes[1])],
         ];
-        Point {
+        ContactPoint {
             forces,
             rates,
             changes,
@@ -96,7 +96,7 @@ pub(super) fn touches(flow: &Flow, contact: usize, slow: f64) -> bool {
 }
 
 /// δ̈ of a contact at the point of the last evaluation [m/s²].
-pub(super) fn approach_acceleration(flow: &Flow, contact: usize, point: &Point) -> f64 {
+pub(super) fn approach_acceleration(flow: &Flow, contact: usize, point: &ContactPoint) -> f64 {
     let following = &flow.system().contact_rows[contact].sustained;
     let mut gamma = [0.0];
     following.gamma(&flow.equations.kinematics(), &mut gamma);
@@ -104,7 +104,7 @@ pub(super) fn approach_acceleration(flow: &Flow, contact: usize, point: &Point) 
 }
 
 /// How large δ̈ could be by the sizes of accelerations and directions [m/s²]: its round-off is a part of that.
-pub(super) fn approach_size(flow: &Flow, point: &Point) -> f64 {
+pub(super) fn approach_size(flow: &Flow, point: &ContactPoint) -> f64 {
     let system = flow.system();
     let accelerations = flow.equations.acceleration().iter().enumerate();
     let (mut force, mut most) = (
@@ -120,7 +120,7 @@ pub(super) fn approach_size(flow: &Flow, point: &Point) -> f64 {
 }
 
 /// v̇_t of a contact at the point of the last evaluation, where it does not slide [m/s²].
-pub(super) fn sliding_acceleration(flow: &Flow, contact: usize, point: &Point) -> f64 {
+pub(super) fn sliding_acceleration(flow: &Flow, contact: usize, point: &ContactPoint) -> f64 {
     if flow.system().contacts[contact].stop().is_some() {
         return 0.0;
     }

@@ -18,7 +18,9 @@
 //! J. J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics*, 1988; F. Pfeiffer, C. Glocker, *Multibody
 //! Dynamics with Unilateral Contacts*, 1996.
 
-use super::point::{Point, approach_acceleration, approach_size, sliding_acceleration, still};
+use super::point::{
+    ContactPoint, approach_acceleration, approach_size, sliding_acceleration, still,
+};
 use crate::analysis::dynamics::flow::Flow;
 use linkdyn_linear::complementary::complementary;
 use linkdyn_linear::math::dot;
@@ -32,7 +34,7 @@ pub(super) struct Touching {
     /// By number.
     pub contacts: Vec<usize>,
     /// What pushes at them do.
-    pub points: Vec<Point>,
+    pub points: Vec<ContactPoint>,
 }
 
 /// What a contact does along the surface.
@@ -53,7 +55,7 @@ impl Touching {
         let points = contacts.iter();
         let points = points.map(|&contact| {
             let reading = flow.reading(contact);
-            Point::new(flow, contact, &reading)
+            ContactPoint::new(flow, contact, &reading)
         });
         Touching {
             points: points.collect(),

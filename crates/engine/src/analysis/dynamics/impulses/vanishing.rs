@@ -13,7 +13,7 @@
 //! J. J. Moreau, *Unilateral contact and dry friction in finite freedom dynamics*, 1988; D. E. Stewart, J. C. Trinkle, *An implicit time-stepping
 //! scheme for rigid body dynamics with inelastic collisions and Coulomb friction*, 1996.
 
-use super::grips::{Grips, Mode};
+use super::grips::{ContactMode, Grips};
 use super::point::at_rest;
 use super::touching::{Along, Touching};
 use crate::analysis::dynamics::flow::Flow;
@@ -65,7 +65,7 @@ fn left(
         .collect();
     let found = lemke(&matrix, &right)?;
     let modes = found.chunks_exact(OWN).zip(&frictions);
-    let modes: Vec<Mode> = modes.map(|(z, friction)| mode(z, *friction)).collect();
+    let modes: Vec<ContactMode> = modes.map(|(z, friction)| mode(z, *friction)).collect();
     let pushes = grips.forces(&modes)?;
     let strongest = pushes.iter().flatten();
     let strongest = strongest.fold(0.0, |most: f64, push| most.max(push.abs()));
@@ -105,17 +105,17 @@ fn problem(mass: &DMatrix<f64>, frictions: &[f64]) -> (DMatrix<f64>, f64) {
 }
 
 /// What a contact does with this z.
-fn mode(found: &[f64], friction: f64) -> Mode {
+fn mode(found: &[f64], friction: f64) -> ContactMode {
     let (normal, tangential) = (found[0], found[1] - found[2]);
     if normal <= 0.0 {
-        Mode::Leaves
+        ContactMode::Leaves
     } else if friction == 0.0 {
-        Mode::Slips(0.0)
+        ContactMode::Slips(0.0)
     } else if found[3] <= 0.0 || (found[1] > 0.0 && found[2] > 0.0) {
         // λ = 0, be its friction at the end of the cone; where there are both β, λ is 0 but for round-off.
-        Mode::Sticks
+        ContactMode::Sticks
     } else {
-        Mode::Slips(friction * tangential.signum())
+        ContactMode::Slips(friction * tangential.signum())
     }
 }
 

@@ -12,7 +12,7 @@ const RISE: f64 = 1e-3;
 const PEAK_PARABOLAS: usize = 3;
 
 /// One number of a reading.
-type Quantity = fn(&Reading) -> f64;
+type ReadingNumber = fn(&Reading) -> f64;
 
 impl Ledger {
     /// Peaks of penetration and force within a piece of a step: where a cubic through its ends has them, then on the
@@ -61,7 +61,7 @@ impl Ledger {
         if !self.accounts[contact].history.rises(deepest.0, hardest.0) {
             return Ok(false);
         }
-        let (depth, force): (Quantity, Quantity) = (|at| at.penetration, |at| at.normal);
+        let (depth, force): (ReadingNumber, ReadingNumber) = (|at| at.penetration, |at| at.normal);
         for (time, of) in [(deepest.1, depth), (hardest.1, force)] {
             if let Some(time) = time {
                 let near = (time, 0.5 * h / PEAK_POINTS as f64);
@@ -77,7 +77,7 @@ impl Ledger {
         step: &mut LastStep,
         contact: usize,
         (mut time, mut width): (f64, f64),
-        of: Quantity,
+        of: ReadingNumber,
         listener: Listener,
     ) -> Result<(), Fault> {
         for _ in 0..PEAK_PARABOLAS {

@@ -3,7 +3,7 @@
 use super::super::around::Around;
 use super::super::mechanisms::Mechanisms;
 use super::super::needs::{State, duals};
-use super::super::slopes::{Along, Slopes, Wanted};
+use super::super::slopes::{Along, Slopes, WantedColumns};
 use super::{PerturbedSolver, place};
 use crate::analysis::clearance_link::{balance, carried};
 use crate::analysis::derived::Derived;
@@ -63,7 +63,7 @@ impl PerturbedSolver<'_> {
         let evaluation = self.evaluation.clone();
         let parameters = Around::parameters(&arounds, &evaluation);
         let needs = &self.track.needs;
-        let wanted = Wanted {
+        let wanted = WantedColumns {
             needs,
             depth: needs.depth(self.track.reactions),
         };

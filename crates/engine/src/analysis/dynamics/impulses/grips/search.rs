@@ -8,7 +8,7 @@
 //! A contact that presses exchanges its rows of u with its part of z (Gauss and Jordan); at the ends of the tree the signs of u and z are read off.
 //! What may be a solution by these numbers is solved by itself, and counts by that alone.
 
-use super::{Along, Attempt, CHOICES, Grips, Mode, NEAR, largest};
+use super::{Along, Attempt, CHOICES, ContactMode, Grips, NEAR, largest};
 use nalgebra::DMatrix;
 
 /// Pivots below this part of a contact's own inverse mass are not eliminated: all choices below are solved one by one.
@@ -17,7 +17,7 @@ const SMALL: f64 = 1e-6;
 const ROUGH: f64 = 1e-6;
 
 /// Modes, and (N, T) of each.
-pub(super) type Found = (Vec<Mode>, Vec<[f64; 2]>);
+pub(super) type ModesAndForces = (Vec<ContactMode>, Vec<[f64; 2]>);
 
 /// What is left after elimination of contacts that press.
 #[derive(Clone)]
@@ -30,16 +30,16 @@ struct Tableau {
 
 impl Tableau {
     /// With contact k in this mode; `None` if that is not to be eliminated.
-    fn with(&self, k: usize, mode: Mode, own: &DMatrix<f64>) -> Option<Tableau> {
+    fn with(&self, k: usize, mode: ContactMode, own: &DMatrix<f64>) -> Option<Tableau> {
         let mut next = self.clone();
         let (normal, tangential) = (2 * k, 2 * k + 1);
         match mode {
-            Mode::Leaves => {}
-            Mode::Sticks => {
+            ContactMode::Leaves => {}
+            ContactMode::Sticks => {
                 next.exchange(normal, own)?;
                 next.exchange(tangential, own)?;
             }
-            Mode::Slips(ratio) => {
+            ContactMode::Slips(ratio) => {
                 for row in 0..next.rest.len() {
                     next.mass[(row, normal)] += ratio * next.mass[(row, tangential)];
                     next.mass[(row, tangential)] = 0.0;
@@ -78,11 +78,11 @@ impl Tableau {
     }
 
     /// Whether these modes may be a solution; `free` and `mass` are the largest numbers of theirs.
-    fn may_hold(&self, modes: &[Mode], along: &[Along], [free, mass]: [f64; 2]) -> bool {
+    fn may_hold(&self, modes: &[ContactMode], along: &[Along], [free, mass]: [f64; 2]) -> bool {
         let pushes = modes.iter().enumerate().map(|(k, mode)| match mode {
-            Mode::Leaves => 0.0,
-            Mode::Sticks => self.rest[2 * k].abs().max(self.rest[2 * k + 1].abs()),
-            Mode::Slips(ratio) => self.rest[2 * k].abs() * ratio.abs().max(1.0),
+            ContactMode::Leaves => 0.0,
+            ContactMode::Sticks => self.rest[2 * k].abs().max(self.rest[2 * k + 1].abs()),
+            ContactMode::Slips(ratio) => self.rest[2 * k].abs() * ratio.abs().max(1.0),
         });
         let push = pushes.fold(0.0, f64::max);
         let near = ROUGH * push;
@@ -90,16 +90,16 @@ impl Tableau {
         modes.iter().enumerate().all(|(k, &mode)| {
             let (normal, tangential) = (self.rest[2 * k], self.rest[2 * k + 1]);
             match (mode, along[k]) {
-                (Mode::Leaves, _) => normal <= close,
-                (Mode::Sticks, Along::Rests(most)) => {
+                (ContactMode::Leaves, _) => normal <= close,
+                (ContactMode::Sticks, Along::Rests(most)) => {
                     normal >= -near
                         && tangential.abs() <= (1.0 + NEAR) * most * normal + (1.0 + most) * near
                 }
                 // u is −v̇_t there.
-                (Mode::Slips(ratio), Along::Rests(_)) => {
+                (ContactMode::Slips(ratio), Along::Rests(_)) => {
                     normal >= -near && tangential * ratio.signum() >= -close
                 }
-                (Mode::Sticks | Mode::Slips(_), Along::Slides(_)) => normal >= -near,
+                (ContactMode::Sticks | ContactMode::Slips(_), Along::Slides(_)) => normal >= -near,
             }
         })
     }
@@ -108,8 +108,8 @@ impl Tableau {
 /// On the way through the tree.
 struct Walk<'g, 'a> {
     grips: &'g Grips<'a>,
-    choices: Vec<Vec<Mode>>,
-    modes: Vec<Mode>,
+    choices: Vec<Vec<ContactMode>>,
+    modes: Vec<ContactMode>,
     /// Largest accelerations or velocities without forces, and inverse masses.
     largest: [f64; 2],
     /// Choices that may still be tried.
@@ -118,7 +118,7 @@ struct Walk<'g, 'a> {
 
 impl Walk<'_, '_> {
     /// The first solution, where contacts from `decided` on do what `modes` say.
-    fn below(&mut self, decided: usize, tableau: Option<&Tableau>) -> Option<Found> {
+    fn below(&mut self, decided: usize, tableau: Option<&Tableau>) -> Option<ModesAndForces> {
         if self.left == 0 {
             return None;
         }
@@ -137,8 +137,8 @@ impl Walk<'_, '_> {
             let mode = self.choices[k][index];
             self.modes[k] = mode;
             match mode {
-                Mode::Leaves => self.below(k, tableau),
-                Mode::Sticks | Mode::Slips(_) => {
+                ContactMode::Leaves => self.below(k, tableau),
+                ContactMode::Sticks | ContactMode::Slips(_) => {
                     let own = &self.grips.mass;
                     let next = tableau.and_then(|tableau| tableau.with(k, mode, own));
                     self.below(k, next.as_ref())
@@ -150,14 +150,14 @@ impl Walk<'_, '_> {
 
 impl Grips<'_> {
     /// The first of all choices that is a solution, in the order in which the first contact changes first.
-    pub(super) fn search(&self) -> Option<Found> {
+    pub(super) fn search(&self) -> Option<ModesAndForces> {
         let count = self.along.len();
         let free = self.free.map(largest);
         let mut walk = Walk {
             largest: [free[0].max(free[1]), self.mass.amax()],
             grips: self,
             choices: (0..count).map(|k| self.choices(k)).collect(),
-            modes: vec![Mode::Leaves; count],
+            modes: vec![ContactMode::Leaves; count],
             left: CHOICES,
         };
         let wanted = (0..2 * count).map(|row| match row % 2 {

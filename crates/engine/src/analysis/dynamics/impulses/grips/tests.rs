@@ -14,7 +14,7 @@ fn solve(
     mass: &DMatrix<f64>,
     along: &[Along],
     free: [&[f64]; 2],
-) -> Option<(Vec<Mode>, Vec<[f64; 2]>)> {
+) -> Option<(Vec<ContactMode>, Vec<[f64; 2]>)> {
     Grips {
         along,
         free,
@@ -39,14 +39,14 @@ fn a_block_on_a_slope_by_hand() {
         } else {
             -friction * 2.0 * press * pull.signum()
         };
-        assert_eq!(modes[0] == Mode::Sticks, sticks, "{slope}: {modes:?}");
+        assert_eq!(modes[0] == ContactMode::Sticks, sticks, "{slope}: {modes:?}");
         assert!((forces[0][0] - 2.0 * press).abs() < 1e-12, "{forces:?}");
         assert!((forces[0][1] - holds).abs() < 1e-12, "{forces:?}");
     }
     // What is pulled off leaves, whatever pulls along the slope; and what leaves anyway is left alone.
     for press in [-1.0, f64::NEG_INFINITY] {
         let found = solve(&mass, &[Along::Rests(friction)], [&[press], &[5.0]]);
-        assert_eq!(found, Some((vec![Mode::Leaves], vec![[0.0; 2]])));
+        assert_eq!(found, Some((vec![ContactMode::Leaves], vec![[0.0; 2]])));
     }
 }
 
@@ -59,12 +59,12 @@ fn painleves_rod_has_no_answer() {
     let (modes, forces) = answer(-0.25).expect("a smaller coefficient has one");
     assert_eq!(
         (modes, forces),
-        (vec![Mode::Slips(-0.25)], vec![[6.0, -1.5]])
+        (vec![ContactMode::Slips(-0.25)], vec![[6.0, -1.5]])
     );
     // At rest it sticks: det W/W_tt = 0.2.
     let rests = solve(&mass, &[Along::Rests(0.6)], [&[3.0], &[0.0]]);
     let (modes, forces) = rests.expect("there is a solution");
-    assert_eq!(modes, [Mode::Sticks]);
+    assert_eq!(modes, [ContactMode::Sticks]);
     assert!(
         (forces[0][0] - 15.0).abs() < 1e-9 && (forces[0][1] + 6.0).abs() < 1e-9,
         "{forces:?}"
@@ -108,13 +108,13 @@ fn what_is_found_is_coulombs_law() {
                 "{modes:?} {forces:?}"
             );
             match (modes[k], along[k]) {
-                (Mode::Leaves, _) => assert_eq!(forces[k], [0.0; 2]),
-                (Mode::Sticks, _) => {
+                (ContactMode::Leaves, _) => assert_eq!(forces[k], [0.0; 2]),
+                (ContactMode::Sticks, _) => {
                     sticking += 1;
                     assert!(rate.abs() < size, "{rate}");
                 }
-                (Mode::Slips(_), Along::Slides(ratio)) => assert_eq!(tangential, ratio * normal),
-                (Mode::Slips(ratio), Along::Rests(_)) => {
+                (ContactMode::Slips(_), Along::Slides(ratio)) => assert_eq!(tangential, ratio * normal),
+                (ContactMode::Slips(ratio), Along::Rests(_)) => {
                     assert_eq!((ratio.abs(), tangential), (friction, ratio * normal));
                     assert!(rate * ratio <= size, "{rate} {ratio}");
                 }
@@ -141,7 +141,7 @@ fn what_begins_to_slide_does_not_slide_back() {
             held: None,
         };
         let pushes = grips
-            .resting(&[Mode::Slips(-friction * way)])
+            .resting(&[ContactMode::Slips(-friction * way)])
             .expect("pushes");
         let pushed = DVector::from_row_slice(&pushes[0]);
         let changed = &mass * pushed;
@@ -189,7 +189,7 @@ fn the_tree_finds_the_first_of_all_choices() {
             mass,
             held: (round % 7 == 0).then_some(1),
         };
-        let choices: Vec<Vec<Mode>> = (0..3).map(|k| grips.choices(k)).collect();
+        let choices: Vec<Vec<ContactMode>> = (0..3).map(|k| grips.choices(k)).collect();
         let (mut first, mut place) = (None, 0);
         'all: for &third in &choices[2] {
             for &second in &choices[1] {
