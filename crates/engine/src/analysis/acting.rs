@@ -102,7 +102,7 @@ fn of_force(role: &ForceRole, contents: Contents) -> impl Iterator<Item = LoadQu
 }
 
 /// What a column reads.
-enum Reading {
+enum ColumnReading {
     Force(usize, LoadQuantity),
     Value(Measured),
     Rate(Measured),
@@ -112,7 +112,7 @@ enum Reading {
 
 /// Columns of forces and joints beside the rows of a run.
 pub(super) struct Acting<'s> {
-    readings: Vec<Reading>,
+    readings: Vec<ColumnReading>,
     replay: Replay<'s>,
     /// Generalized forces of the force with this number (n).
     pull: Vec<f64>,
@@ -146,10 +146,10 @@ impl<'s> Acting<'s> {
         for k in 0..self.readings.len() {
             let at = self.replay.kinematics();
             let value = match self.readings[k] {
-                Reading::Value(measured) => measured.value(&at)[0],
-                Reading::Rate(measured) => measured.value(&at)[1],
-                Reading::Size([x, y]) => row[x].hypot(row[y]),
-                Reading::Force(force, quantity) => {
+                ColumnReading::Value(measured) => measured.value(&at)[0],
+                ColumnReading::Rate(measured) => measured.value(&at)[1],
+                ColumnReading::Size([x, y]) => row[x].hypot(row[y]),
+                ColumnReading::Force(force, quantity) => {
                     self.apply(force);
                     self.value(force, quantity)
                 }
@@ -235,7 +235,7 @@ fn relative(
     columns: &Columns,
     joint: usize,
     quantity: RelativeQuantity,
-) -> Option<Reading> {
+) -> Option<ColumnReading> {
     let data = &system.joints[joint];
     let turn = Measured::Turn {
         first: data.bodies()[0],
@@ -251,24 +251,24 @@ fn relative(
     };
     let force = |quantity| columns.find(Channel::Joint(joint, quantity));
     Some(match quantity {
-        RelativeQuantity::Angle => Reading::Value(turn),
-        RelativeQuantity::Omega => Reading::Rate(turn),
-        RelativeQuantity::Slide => Reading::Value(slide()?),
-        RelativeQuantity::Rate => Reading::Rate(slide()?),
+        RelativeQuantity::Angle => ColumnReading::Value(turn),
+        RelativeQuantity::Omega => ColumnReading::Rate(turn),
+        RelativeQuantity::Slide => ColumnReading::Value(slide()?),
+        RelativeQuantity::Rate => ColumnReading::Rate(slide()?),
         RelativeQuantity::F => {
-            Reading::Size([force(JointQuantity::Fx)?, force(JointQuantity::Fy)?])
+            ColumnReading::Size([force(JointQuantity::Fx)?, force(JointQuantity::Fy)?])
         }
     })
 }
 
-fn load(system: &System, force: usize, quantity: LoadQuantity) -> Reading {
+fn load(system: &System, force: usize, quantity: LoadQuantity) -> ColumnReading {
     match (&system.force_data[force].role, quantity) {
         (ForceRole::Spring { measured, .. }, LoadQuantity::Length | LoadQuantity::Angle) => {
-            Reading::Value(*measured)
+            ColumnReading::Value(*measured)
         }
         (ForceRole::Spring { measured, .. }, LoadQuantity::Rate | LoadQuantity::Omega) => {
-            Reading::Rate(*measured)
+            ColumnReading::Rate(*measured)
         }
-        (_, quantity) => Reading::Force(force, quantity),
+        (_, quantity) => ColumnReading::Force(force, quantity),
     }
 }

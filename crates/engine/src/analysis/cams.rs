@@ -19,12 +19,12 @@ const DIGITS: usize = 4;
 /// What was seen of the cams of a mechanism.
 #[derive(Debug, Clone, Default)]
 pub struct Watch {
-    cams: Vec<Seen>,
+    cams: Vec<CamRecord>,
 }
 
 /// What was seen of a cam: sizes with the cam's angle \[rad\] and the time \[s\].
 #[derive(Debug, Clone, Copy, Default)]
-struct Seen {
+struct CamRecord {
     /// The largest pressure angle \[rad\].
     pressure: [f64; 3],
     /// The largest pull \[N\].
@@ -52,7 +52,7 @@ impl Watch {
         let cams = cams.filter_map(|(joint, data)| Some((joint, data.extras().cam.as_ref()?)));
         for (k, (joint, cam)) in cams.enumerate() {
             if self.cams.len() <= k {
-                self.cams.push(Seen::default());
+                self.cams.push(CamRecord::default());
             }
             let seen = &mut self.cams[k];
             let here = angle(cam, at);

@@ -31,7 +31,7 @@ pub(super) fn headings(system: &System) -> Vec<Column> {
 }
 
 /// A sum of quantities, each with where the coordinates stand that change it.
-struct Part {
+struct SumPart {
     terms: Vec<(Quantity, Vec<Option<usize>>)>,
     /// By what it is measured \[m or rad\].
     scale: f64,
@@ -40,7 +40,7 @@ struct Part {
 /// One output, and in how many rows it is empty.
 struct Ratio {
     output: usize,
-    parts: [Part; 2],
+    parts: [SumPart; 2],
     still: usize,
     free: usize,
 }
@@ -52,7 +52,7 @@ pub(super) struct Ratios<'s> {
     rows: usize,
 }
 
-impl Part {
+impl SumPart {
     fn new(system: &System, sum: &[Measured]) -> Self {
         let term = |measured: &Measured| {
             let quantity = Quantity::Value(*measured);
@@ -61,7 +61,7 @@ impl Part {
             (quantity, columns.collect())
         };
         let turns = |one: &Measured| matches!(one, Measured::Turn { .. });
-        Part {
+        SumPart {
             terms: sum.iter().map(term).collect(),
             scale: if sum.iter().all(turns) {
                 1.0
@@ -94,7 +94,7 @@ impl<'s> Ratios<'s> {
                 parts: system.outputs[output]
                     .quantities
                     .each_ref()
-                    .map(|sum| Part::new(system, sum)),
+                    .map(|sum| SumPart::new(system, sum)),
                 still: 0,
                 free: 0,
             }),

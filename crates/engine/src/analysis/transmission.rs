@@ -56,7 +56,7 @@ struct Drawn {
 /// A transmission beside the rows of a run.
 pub struct Transmitted<'s> {
     pub headings: Vec<Column>,
-    solver: Solver<'s>,
+    solver: TransmissionSolver<'s>,
     driver: usize,
     rows: usize,
 }
@@ -77,7 +77,7 @@ impl<'s> Transmitted<'s> {
             return Err(undetermined());
         }
         let states = States::of(system, columns).ok_or_else(undetermined)?;
-        let solver = Solver::new(system, states, driver, output);
+        let solver = TransmissionSolver::new(system, states, driver, output);
         Ok(Transmitted {
             headings: headings(system, driver, output, &solver.drawn),
             solver,
@@ -131,7 +131,7 @@ fn drawn(system: &System, output: Output) -> Vec<Drawn> {
 }
 
 /// Solves row after row for unit speed of the driver and unit load of the output.
-struct Solver<'s> {
+struct TransmissionSolver<'s> {
     system: &'s System,
     states: States,
     output: Output,
@@ -149,13 +149,13 @@ struct Solver<'s> {
     lambda: Vec<f64>,
 }
 
-impl<'s> Solver<'s> {
+impl<'s> TransmissionSolver<'s> {
     fn new(system: &'s System, states: States, driver: usize, output: Output) -> Self {
         let still = Inputs::still(system);
         let mut unit = still.clone();
         unit.drive[driver][1] = 1.0;
         let zero = vec![0.0; system.n()];
-        Solver {
+        TransmissionSolver {
             system,
             states,
             output,
@@ -226,8 +226,8 @@ impl<'s> Solver<'s> {
 }
 
 /// Why cells are empty.
-fn notes(solver: &Solver, driver: usize, rows: usize) -> Vec<String> {
-    let Solver {
+fn notes(solver: &TransmissionSolver, driver: usize, rows: usize) -> Vec<String> {
+    let TransmissionSolver {
         system,
         drawn,
         output,

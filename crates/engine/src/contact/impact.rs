@@ -75,7 +75,7 @@ pub struct Impulse {
 const ROUND_OFF: f64 = 64.0 * f64::EPSILON;
 
 /// Velocities and works along p_n.
-struct Walk {
+struct ImpactPath {
     velocity: [f64; 2],
     impulse: [f64; 2],
     /// ∫v_n dp_n of the phase, ∫v_t dp_t of all \[J\].
@@ -85,7 +85,7 @@ struct Walk {
     sliding: f64,
 }
 
-impl Walk {
+impl ImpactPath {
     /// Goes on by p_n, with dp_t/dp_n and dv/dp_n constant.
     fn advance(&mut self, by: f64, ratio: f64, rates: [f64; 2]) {
         self.normal_work += by * (self.velocity[0] + 0.5 * rates[0] * by);
@@ -172,7 +172,7 @@ struct Rebound {
 
 impl Rebound {
     /// Normal impulse to the end, at a rate of v_n.
-    fn missing(&self, walk: &Walk, rate: f64) -> f64 {
+    fn missing(&self, walk: &ImpactPath, rate: f64) -> f64 {
         let v_n = walk.velocity[0];
         let missing = match self.sense {
             Sense::Energetic => {
@@ -204,7 +204,7 @@ pub fn resolve(
     friction: f64,
     sense: Sense,
 ) -> Impulse {
-    let mut course = Course::new(
+    let mut course = ImpactCourse::new(
         ImpactMobility::new(inverse_mass, friction),
         velocity,
         (restitution, sense),
@@ -215,7 +215,7 @@ pub fn resolve(
     while next == Next::Goes {
         next = course.advance();
     }
-    let Course {
+    let ImpactCourse {
         walk,
         rebound,
         slip,
@@ -234,7 +234,7 @@ pub fn resolve(
 }
 
 /// An impact on its way, from one change of its rates to the next.
-struct Course {
+struct ImpactCourse {
     point: ImpactMobility,
     /// v_n(0), e and what it compares.
     approach: f64,
@@ -242,7 +242,7 @@ struct Course {
     sense: Sense,
     direction: Direction,
     slip: Slip,
-    walk: Walk,
+    walk: ImpactPath,
     /// None while it is compressed.
     rebound: Option<Rebound>,
 }
@@ -256,7 +256,7 @@ enum Next {
     Wedged,
 }
 
-impl Course {
+impl ImpactCourse {
     fn new(point: ImpactMobility, velocity: [f64; 2], (restitution, sense): (f64, Sense)) -> Self {
         let slides = velocity[1] != 0.0;
         let direction = if slides {
@@ -269,14 +269,14 @@ impl Course {
             (false, Some(_)) => Slip::Starts,
             (false, None) => Slip::Sticks,
         };
-        let walk = Walk {
+        let walk = ImpactPath {
             velocity,
             impulse: [0.0; 2],
             normal_work: 0.0,
             tangential_work: 0.0,
             sliding: 0.0,
         };
-        Course {
+        ImpactCourse {
             point,
             approach: velocity[0],
             restitution,

@@ -68,12 +68,12 @@ struct Line {
 }
 
 /// First and second derivatives by the coordinates of both bodies.
-struct Slopes {
+struct StrandSlopes {
     first: [f64; BOTH],
     second: [[f64; BOTH]; BOTH],
 }
 
-impl Slopes {
+impl StrandSlopes {
     /// Rate at these velocities.
     fn rate(&self, v: &[f64; BOTH]) -> f64 {
         self.first.iter().zip(v).map(|(a, b)| a * b).sum()
@@ -153,16 +153,16 @@ impl Belt {
     }
 
     /// Derivatives of a function of d, of gradient `g` and second derivatives that `bent` applies to a vector.
-    fn slopes_of(&self, at: &Kinematics, g: Vec2, bent: impl Fn(Vec2) -> Vec2) -> Slopes {
+    fn slopes_of(&self, at: &Kinematics, g: Vec2, bent: impl Fn(Vec2) -> Vec2) -> StrandSlopes {
         let span = Span::at(at, &self.first, &self.second);
-        Slopes {
+        StrandSlopes {
             first: std::array::from_fn(|column| g.dot(&span.spread(column))),
             second: span.bent(g, bent),
         }
     }
 
     /// Derivatives of s.
-    fn slopes_of_turned(&self, at: &Kinematics) -> Slopes {
+    fn slopes_of_turned(&self, at: &Kinematics) -> StrandSlopes {
         let Line { e, n, length, .. } = self.line(at);
         let g = n * (-self.lean() / length);
         let square = self.lean() / (length * length);
@@ -174,7 +174,7 @@ impl Belt {
     }
 
     /// Derivatives of h.
-    fn slopes_of_common(&self, at: &Kinematics) -> Slopes {
+    fn slopes_of_common(&self, at: &Kinematics) -> StrandSlopes {
         let Line { e, n, length, cos } = self.line(at);
         let along = self.lean() * self.lean() / (length * length * length * cos);
         let bent = |by: Vec2| n * (n.dot(&by) * cos / length) + e * (e.dot(&by) * along);
@@ -200,7 +200,7 @@ impl Belt {
         };
         let (h, s) = (self.common(at), self.turned(at) - self.offset);
         let v = self.velocities(at);
-        let rate = |slopes: Slopes| if damping == 0.0 { 0.0 } else { slopes.rate(&v) };
+        let rate = |slopes: StrandSlopes| if damping == 0.0 { 0.0 } else { slopes.rate(&v) };
         let (h_rate, s_rate) = (
             rate(self.slopes_of_common(at)),
             rate(self.slopes_of_turned(at)),
@@ -298,7 +298,7 @@ impl Force for Strands {
         let (h, s) = (belt.slopes_of_common(at), belt.slopes_of_turned(at));
         for row in 0..BOTH {
             for column in 0..BOTH {
-                let of = |one: &Slopes| {
+                let of = |one: &StrandSlopes| {
                     let by = stiffness * one.first[column] + damping * one.turn(column, &v);
                     2.0 * one.first[row] * by
                 };

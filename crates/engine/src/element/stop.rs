@@ -93,12 +93,12 @@ pub struct Stop {
     /// What penetrations are measured against \[m\].
     pub size: f64,
     /// Where its place is kept, of one that has none of its own.
-    pub kept: Option<Kept>,
+    pub kept: Option<HeldStop>,
 }
 
 /// A stop that holds where the joint was when it began to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Kept {
+pub struct HeldStop {
     /// Whose memory has the place.
     pub id: ContactId,
     /// Whether it is a lock; else it is a one-way clutch.
@@ -166,8 +166,8 @@ impl Stop {
     pub fn word(&self) -> &'static str {
         match self.kept {
             None => self.side.word(),
-            Some(Kept { is_lock: true, .. }) => "lock",
-            Some(Kept { is_lock: false, .. }) => "one_way",
+            Some(HeldStop { is_lock: true, .. }) => "lock",
+            Some(HeldStop { is_lock: false, .. }) => "one_way",
         }
     }
 

@@ -15,21 +15,21 @@ const TRIAL: u32 = 16;
 
 /// A point of the integration, and the work until then.
 #[derive(Debug, Clone, Copy)]
-struct Mark {
+struct WorkMark {
     t: f64,
     evaluations: u64,
 }
 
-impl Mark {
+impl WorkMark {
     fn of(stepper: &dyn Stepper) -> Self {
-        Mark {
+        WorkMark {
             t: stepper.t(),
             evaluations: stepper.counters().evaluations,
         }
     }
 
     /// Evaluations per time from here to there.
-    fn price(self, there: Mark) -> f64 {
+    fn price(self, there: WorkMark) -> f64 {
         (there.evaluations - self.evaluations) as f64 / (there.t - self.t).abs()
     }
 }
@@ -38,9 +38,13 @@ impl Mark {
 #[derive(Debug, Clone, Copy)]
 enum ActiveMethod {
     /// The explicit one; since when steps speak for stiffness.
-    Explicit(Option<Mark>),
+    Explicit(Option<WorkMark>),
     /// The implicit one on trial: its steps, where its own began, and what the explicit one cost.
-    Trial { steps: u32, from: Mark, price: f64 },
+    Trial {
+        steps: u32,
+        from: WorkMark,
+        price: f64,
+    },
     /// The implicit one.
     Implicit,
 }
@@ -90,7 +94,7 @@ impl Auto {
     fn choose(&mut self, ode: &mut dyn Ode, end: f64) -> Result<(), StepFailure> {
         match self.mode {
             ActiveMethod::Explicit(since) if self.explicit.stiff() && self.explicit.t() != end => {
-                let now = Mark::of(&self.explicit);
+                let now = WorkMark::of(&self.explicit);
                 self.implicit.limits = Limits {
                     initial_step: Some(self.explicit.proposal()),
                     ..self.limits
@@ -105,7 +109,7 @@ impl Auto {
             ActiveMethod::Trial { steps, from, price }
                 if steps >= TRIAL && self.implicit.t() != end =>
             {
-                let now = Mark::of(&self.implicit);
+                let now = WorkMark::of(&self.implicit);
                 self.mode = ActiveMethod::Implicit;
                 if from.price(now) > price {
                     self.explicit.limits.initial_step = Some(self.explicit.proposal());
@@ -124,12 +128,13 @@ impl Auto {
         match &mut self.mode {
             ActiveMethod::Explicit(since) => {
                 let is_suspected = self.explicit.stiffness.is_suspected();
-                *since = is_suspected.then(|| since.unwrap_or_else(|| Mark::of(&self.explicit)));
+                *since =
+                    is_suspected.then(|| since.unwrap_or_else(|| WorkMark::of(&self.explicit)));
             }
             ActiveMethod::Trial { steps, from, .. } => {
                 *steps += 1;
                 if *steps == WARM {
-                    *from = Mark::of(&self.implicit);
+                    *from = WorkMark::of(&self.implicit);
                 }
             }
             ActiveMethod::Implicit => {}

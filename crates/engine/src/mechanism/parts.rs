@@ -64,7 +64,7 @@ impl Part {
 
     /// Whether the curve through `q` of the whole has change points, as far as two of its coordinates tell it.
     pub fn has_change_points(&self, q: &[f64]) -> bool {
-        let mut followed = Followed::new(self);
+        let mut followed = FollowedPart::new(self);
         let mut starts = vec![self.values(q)];
         let mut turns = false;
         for _ in 0..SEGMENTS {
@@ -91,7 +91,7 @@ impl Part {
 /// Parts of a mechanism, and the solvers of what takes its place near their change points.
 #[derive(Clone)]
 pub struct Parts<'s> {
-    parts: Vec<Followed<'s>>,
+    parts: Vec<FollowedPart<'s>>,
     phases: &'s Phases<'s>,
     /// How contacts are held.
     holds: Vec<Hold>,
@@ -106,7 +106,7 @@ impl<'s> Parts<'s> {
     pub fn new(parts: &'s [Part], phases: &'s Phases<'s>) -> Self {
         let none = vec![None; parts.len()];
         Parts {
-            parts: parts.iter().map(Followed::new).collect(),
+            parts: parts.iter().map(FollowedPart::new).collect(),
             phases,
             holds: Vec::new(),
             now: none.clone(),
@@ -220,7 +220,7 @@ impl<'s> Parts<'s> {
 
 /// A part and its curves.
 #[derive(Clone)]
-struct Followed<'s> {
+struct FollowedPart<'s> {
     part: &'s Part,
     inputs: Inputs,
     driven: Option<Driven<'s>>,
@@ -241,10 +241,10 @@ struct KnownCurve {
     windows_before: usize,
 }
 
-impl<'s> Followed<'s> {
+impl<'s> FollowedPart<'s> {
     fn new(part: &'s Part) -> Self {
         let inputs = Inputs::at_time(&part.system, 0.0);
-        Followed {
+        FollowedPart {
             part,
             inputs,
             driven: None,

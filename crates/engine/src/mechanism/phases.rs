@@ -23,10 +23,10 @@ pub struct Phases<'m> {
     first: Link,
 }
 
-type Link = OnceLock<Box<Phase>>;
+type Link = OnceLock<Box<LinkedPhase>>;
 
 /// One of them, and the next.
-struct Phase {
+struct LinkedPhase {
     /// Those that are held.
     holds: Vec<(usize, Hold)>,
     windows: Windows,
@@ -34,7 +34,7 @@ struct Phase {
     next: Link,
 }
 
-impl Drop for Phase {
+impl Drop for LinkedPhase {
     /// One after the other: a tip that rolls along an outline makes a phase of each of its pieces.
     fn drop(&mut self) {
         let mut link = std::mem::take(&mut self.next);
@@ -79,7 +79,7 @@ impl<'m> Phases<'m> {
             link = &phase.next;
         }
         let made = link.get_or_init(|| {
-            Box::new(Phase {
+            Box::new(LinkedPhase {
                 holds: held,
                 windows: windows.clone(),
                 system: self.whole.with_rows(holds, exchanged()),

@@ -18,7 +18,7 @@ const SNAP: f64 = 4.0 * f64::EPSILON;
 
 /// A piece, from its beginning to that of the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct LawPiece {
     /// When it begins \[s\].
     pub from: f64,
     /// Where x = 0 \[s\].
@@ -33,12 +33,12 @@ pub(super) struct Piece {
     pub is_smooth: bool,
 }
 
-impl Piece {
+impl LawPiece {
     /// A constant.
     pub fn dwell(from: f64, value: f64) -> Self {
         let mut terms = [0.0; TERMS];
         terms[0] = value;
-        Piece {
+        LawPiece {
             from,
             origin: from,
             span: 1.0,
@@ -81,7 +81,7 @@ pub(super) struct Cycle {
 /// A law made of pieces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pieces {
-    pub(super) pieces: Vec<Piece>,
+    pub(super) pieces: Vec<LawPiece>,
     /// When the last one ends \[s\].
     pub(super) end: f64,
     /// Value and slope at the beginning of the first, from before.
@@ -93,7 +93,7 @@ pub struct Pieces {
 
 impl Pieces {
     /// Pieces, at least one, each longer than nothing; gone through once.
-    pub(super) fn new(pieces: Vec<Piece>, end: f64, before: [f64; 2], after: [f64; 2]) -> Self {
+    pub(super) fn new(pieces: Vec<LawPiece>, end: f64, before: [f64; 2], after: [f64; 2]) -> Self {
         let cycle = Cycle {
             advance: 0.0,
             numbers: [0.0, 1.0],
@@ -207,10 +207,10 @@ impl Pieces {
                 let shift = number * self.period();
                 let (is_first, is_last) = (number == first, number + 1.0 == last);
                 let own = within.clone().into_iter().filter(move |(_, at)| match at {
-                    At::Before => is_first,
-                    At::Seam => !is_first,
-                    At::Within => true,
-                    At::After => is_last,
+                    TurnsAt::Before => is_first,
+                    TurnsAt::Seam => !is_first,
+                    TurnsAt::Within => true,
+                    TurnsAt::After => is_last,
                 });
                 own.map(move |(time, _)| time + shift)
             });
@@ -218,7 +218,7 @@ impl Pieces {
     }
 
     /// Turning times of the first cycle, in their order, and where each is.
-    fn turns_of_cycle(&self) -> Vec<(f64, At)> {
+    fn turns_of_cycle(&self) -> Vec<(f64, TurnsAt)> {
         let ends = self.pieces.iter().skip(1).map(|piece| piece.from);
         let ends = ends.chain([self.end]);
         let sign = |slope: f64| slope.signum() * f64::from(u8::from(slope != 0.0));
@@ -234,7 +234,7 @@ impl Pieces {
                 if now != 0.0 {
                     if last != 0.0 && now != last {
                         let turn = bisect(|t| piece.jet(t)[1] * last, left, right);
-                        turns.push((turn, At::Within));
+                        turns.push((turn, TurnsAt::Within));
                     }
                     if first == 0.0 {
                         first = now;
@@ -246,13 +246,13 @@ impl Pieces {
         }
         let (before, after) = (sign(self.before[1]), sign(self.after[1]));
         if before * first < 0.0 {
-            turns.insert(0, (self.begin(), At::Before));
+            turns.insert(0, (self.begin(), TurnsAt::Before));
         }
         if first * last < 0.0 {
-            turns.insert(0, (self.begin(), At::Seam));
+            turns.insert(0, (self.begin(), TurnsAt::Seam));
         }
         if last * after < 0.0 {
-            turns.push((self.end, At::After));
+            turns.push((self.end, TurnsAt::After));
         }
         turns
     }
@@ -260,7 +260,7 @@ impl Pieces {
 
 /// Where a law made of pieces turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum At {
+enum TurnsAt {
     /// Where it begins.
     Before,
     /// Where a cycle follows another.

@@ -15,7 +15,7 @@
 //! jerk give T, r and ϱ of the fastest rise within them (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
 //! Robots, 2008, ch. 3).
 
-use super::pieces::{Cycle, Piece, Pieces, TERMS};
+use super::pieces::{Cycle, LawPiece, Pieces, TERMS};
 use std::f64::consts::{PI, TAU};
 
 /// The law of a rise.
@@ -42,18 +42,18 @@ pub enum Shape {
 
 /// A part of the first half of a rise: Σ cₖ xᵏ + A sin(w x + φ) from z = `from` on, x = z − `origin`.
 #[derive(Debug, Clone, Copy)]
-struct Part {
+struct RisePart {
     from: f64,
     origin: f64,
     terms: [f64; TERMS],
     wave: [f64; 3],
 }
 
-impl Part {
+impl RisePart {
     fn polynomial<const N: usize>(from: f64, terms: [f64; N]) -> Self {
         let mut all = [0.0; TERMS];
         all[..N].copy_from_slice(&terms);
-        Part {
+        RisePart {
             from,
             origin: from,
             terms: all,
@@ -63,33 +63,33 @@ impl Part {
 
     /// A line and a wave, in z itself.
     fn wave(from: f64, line: [f64; 2], wave: [f64; 3]) -> Self {
-        Part {
+        RisePart {
             origin: 0.0,
             wave,
-            ..Part::polynomial(from, line)
+            ..RisePart::polynomial(from, line)
         }
     }
 }
 
 impl Shape {
     /// The first half.
-    fn parts(self) -> Vec<Part> {
+    fn parts(self) -> Vec<RisePart> {
         match self {
             Shape::Cycloidal => {
-                vec![Part::wave(0.0, [0.0, 1.0], [-1.0 / TAU, TAU, 0.0])]
+                vec![RisePart::wave(0.0, [0.0, 1.0], [-1.0 / TAU, TAU, 0.0])]
             }
             Shape::Polynomial345 => {
-                vec![Part::polynomial(0.0, [0.0, 0.0, 0.0, 10.0, -15.0, 6.0])]
+                vec![RisePart::polynomial(0.0, [0.0, 0.0, 0.0, 10.0, -15.0, 6.0])]
             }
             Shape::Polynomial4567 => {
                 let terms = [0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0];
-                vec![Part::polynomial(0.0, terms)]
+                vec![RisePart::polynomial(0.0, terms)]
             }
             Shape::ModifiedSine => {
                 let c = 1.0 / (4.0 + PI);
                 vec![
-                    Part::wave(0.0, [0.0, PI * c], [-0.25 * c, 2.0 * TAU, 0.0]),
-                    Part::wave(
+                    RisePart::wave(0.0, [0.0, PI * c], [-0.25 * c, 2.0 * TAU, 0.0]),
+                    RisePart::wave(
                         0.125,
                         [2.0 * c, PI * c],
                         [-2.25 * c, 2.0 * TAU / 3.0, PI / 3.0],
@@ -104,9 +104,9 @@ impl Shape {
                 // from 3/8 on the velocity is that at 3/8 and what a cosine adds
                 let speed = slow + 0.25 * peak;
                 vec![
-                    Part::wave(0.0, [0.0, slow], [-slow / w, w, 0.0]),
-                    Part::polynomial(0.125, [first, slow, 0.5 * peak]),
-                    Part::wave(
+                    RisePart::wave(0.0, [0.0, slow], [-slow / w, w, 0.0]),
+                    RisePart::polynomial(0.125, [first, slow, 0.5 * peak]),
+                    RisePart::wave(
                         0.375,
                         [second - 0.375 * speed + slow / w, speed],
                         [slow / w, w, 0.0],
@@ -119,29 +119,29 @@ impl Shape {
 }
 
 /// Ramps r of velocity, of which the part ϱ has jerk.
-fn ramps(r: f64, rounding: f64) -> Vec<Part> {
+fn ramps(r: f64, rounding: f64) -> Vec<RisePart> {
     let speed = 1.0 / (1.0 - r);
     let j = 0.5 * rounding * r;
     let peak = speed / (r - j);
     let mut parts = Vec::new();
     if j > 0.0 {
-        parts.push(Part::polynomial(0.0, [0.0, 0.0, 0.0, peak / (6.0 * j)]));
+        parts.push(RisePart::polynomial(0.0, [0.0, 0.0, 0.0, peak / (6.0 * j)]));
     }
     if r > 2.0 * j {
         let terms = [peak * j * j / 6.0, 0.5 * peak * j, 0.5 * peak];
-        parts.push(Part::polynomial(j, terms));
+        parts.push(RisePart::polynomial(j, terms));
     }
     let reached = 0.5 * speed * r;
     if j > 0.0 {
         // in z − r, which is negative
         let terms = [reached, speed, 0.0, -peak / (6.0 * j)];
-        parts.push(Part {
+        parts.push(RisePart {
             from: r - j,
-            ..Part::polynomial(r, terms)
+            ..RisePart::polynomial(r, terms)
         });
     }
     if r < 0.5 {
-        parts.push(Part::polynomial(r, [reached, speed]));
+        parts.push(RisePart::polynomial(r, [reached, speed]));
     }
     parts
 }
@@ -213,7 +213,7 @@ impl Limits {
 }
 
 /// Pieces of segments from a value and a time on, and the value and the time after them.
-fn laid_out(start: f64, begin: f64, segments: &[Segment]) -> (Vec<Piece>, f64, f64) {
+fn laid_out(start: f64, begin: f64, segments: &[Segment]) -> (Vec<LawPiece>, f64, f64) {
     let mut pieces = Vec::new();
     let (mut value, mut time) = (start, begin);
     for segment in segments {
@@ -222,7 +222,7 @@ fn laid_out(start: f64, begin: f64, segments: &[Segment]) -> (Vec<Piece>, f64, f
         let moves = segment.height != 0.0 && end > time;
         match segment.shape.filter(|_| moves) {
             Some(shape) => rise(&mut pieces, shape, (time, value), segment),
-            None if end > time => pieces.push(Piece::dwell(time, value)),
+            None if end > time => pieces.push(LawPiece::dwell(time, value)),
             None => {}
         }
         value += segment.height;
@@ -235,7 +235,7 @@ fn laid_out(start: f64, begin: f64, segments: &[Segment]) -> (Vec<Piece>, f64, f
 pub fn sequence(start: f64, begin: f64, segments: &[Segment], rounds: usize) -> Pieces {
     let (mut pieces, value, mut time) = laid_out(start, begin, segments);
     if pieces.is_empty() {
-        pieces.push(Piece::dwell(begin, value));
+        pieces.push(LawPiece::dwell(begin, value));
         time = begin + 1.0;
     }
     let law = Pieces::new(pieces, time, [start, 0.0], [value, 0.0]);
@@ -255,7 +255,7 @@ pub fn turn(begin: f64, segments: &[Segment]) -> Pieces {
     let end = begin + TAU;
     // what is left by round-off of degrees is nothing
     if pieces.is_empty() || end - reached > ROUND_OFF {
-        pieces.push(Piece::dwell(reached, value));
+        pieces.push(LawPiece::dwell(reached, value));
     }
     Pieces::new(pieces, end, [0.0; 2], [value, 0.0]).repeating(Cycle {
         advance: 0.0,
@@ -267,12 +267,12 @@ pub fn turn(begin: f64, segments: &[Segment]) -> Pieces {
 const ROUND_OFF: f64 = 1e-9;
 
 /// The pieces of a rise from (time, value) on: its first half, and that turned round.
-fn rise(pieces: &mut Vec<Piece>, shape: Shape, (time, value): (f64, f64), segment: &Segment) {
+fn rise(pieces: &mut Vec<LawPiece>, shape: Shape, (time, value): (f64, f64), segment: &Segment) {
     let Segment {
         height, duration, ..
     } = *segment;
     let parts = shape.parts();
-    let scaled = |part: &Part, height: f64| {
+    let scaled = |part: &RisePart, height: f64| {
         let terms = part.terms.map(|term| height * term);
         let [amplitude, w, phase] = part.wave;
         (terms, [height * amplitude, w, phase])
@@ -280,7 +280,7 @@ fn rise(pieces: &mut Vec<Piece>, shape: Shape, (time, value): (f64, f64), segmen
     for part in &parts {
         let (mut terms, wave) = scaled(part, height);
         terms[0] += value;
-        pieces.push(Piece {
+        pieces.push(LawPiece {
             from: time + duration * part.from,
             origin: time + duration * part.origin,
             span: duration,
@@ -295,7 +295,7 @@ fn rise(pieces: &mut Vec<Piece>, shape: Shape, (time, value): (f64, f64), segmen
         let (mut terms, wave) = scaled(part, -height);
         terms[0] += value + height;
         let is_middle = k + 1 == parts.len();
-        pieces.push(Piece {
+        pieces.push(LawPiece {
             from: end - duration * to,
             origin: end - duration * part.origin,
             span: -duration,

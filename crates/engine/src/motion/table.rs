@@ -8,7 +8,7 @@
 //! limited likewise. Those of the periodic spline solve h₁ d₋ + 2(h₀ + h₁) d + h₀ d₊ = 3(h₁ δ₀ + h₀ δ₁), round and round (de Boor, A
 //! Practical Guide to Splines, 2001, ch. IV).
 
-use super::pieces::{Cycle, Piece, Pieces, TERMS};
+use super::pieces::{Cycle, LawPiece, Pieces, TERMS};
 
 impl Pieces {
     /// Straight lines through points with increasing times, and on beyond them.
@@ -50,7 +50,7 @@ impl Pieces {
                 h * (3.0 * delta - 2.0 * d0 - d1),
                 h * (d0 + d1 - 2.0 * delta),
             ]);
-            Piece {
+            LawPiece {
                 from,
                 origin: from,
                 span: h,

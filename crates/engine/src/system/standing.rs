@@ -16,7 +16,7 @@ const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
 /// What a row says of the columns that move.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Row {
+enum RowMotion {
     /// It may bend with them.
     Bent,
     /// It is linear in them.
@@ -30,7 +30,7 @@ pub(crate) struct Standing {
     /// By column.
     columns: Vec<bool>,
     /// By row of joints and drivers.
-    rows: Vec<Row>,
+    rows: Vec<RowMotion>,
 }
 
 /// Where the constraints of a block bend; none of ground.
@@ -41,7 +41,7 @@ impl Standing {
     pub fn of(system: &System, rows: &[usize], scaled: &[f64]) -> Self {
         let mut standing = Standing {
             columns: vec![false; system.n()],
-            rows: vec![Row::Bent; system.m()],
+            rows: vec![RowMotion::Bent; system.m()],
         };
         let mut is_active = vec![false; system.m()];
         let own = rows.iter().filter(|row| **row < system.m());
@@ -92,16 +92,16 @@ impl Standing {
         {
             let row = block.row() + own;
             let is_linear = !is_bent || block.constraint.is_linear(own);
-            if self.rows[row] == Row::Holds || !is_linear {
+            if self.rows[row] == RowMotion::Holds || !is_linear {
                 continue;
             }
-            self.rows[row] = Row::Linear;
+            self.rows[row] = RowMotion::Linear;
             if let Some(column) = self.only(system, block, row, scaled)
                 && may_hold
                 && *is_active
             {
                 self.columns[column] = true;
-                self.rows[row] = Row::Holds;
+                self.rows[row] = RowMotion::Holds;
                 is_new = true;
             }
         }
@@ -153,12 +153,12 @@ impl Standing {
     /// Those of some rows that are rows of joints and drivers, and do not hold what stands.
     pub fn rest(&self, rows: &[usize]) -> Vec<u32> {
         let own = rows.iter().filter(|row| **row < self.rows.len());
-        let rest = own.filter(|row| self.rows[**row] != Row::Holds);
+        let rest = own.filter(|row| self.rows[**row] != RowMotion::Holds);
         rest.map(|row| *row as u32).collect()
     }
 
     /// Whether a row is linear in what moves.
     pub fn is_linear(&self, row: usize) -> bool {
-        self.rows[row] != Row::Bent
+        self.rows[row] != RowMotion::Bent
     }
 }

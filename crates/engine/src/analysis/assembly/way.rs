@@ -136,11 +136,11 @@ pub(super) fn from_drawing(system: &System, inputs: &Inputs, found: Option<&[f64
             return PathEnd::Nowhere;
         };
         match lead.follow(&q) {
-            Followed::Reached(mut reached) => {
+            PathOutcome::Reached(mut reached) => {
                 reached.warnings.splice(0..0, warnings);
                 return PathEnd::Reached(reached);
             }
-            Followed::Ended { at, said } => {
+            PathOutcome::Ended { at, said } => {
                 let other = with_starts(system, &at, inputs);
                 if other.free_columns == ranks.free_columns {
                     return PathEnd::Ended(said);
@@ -167,7 +167,7 @@ struct Lead<'s> {
 }
 
 /// What became of it.
-enum Followed {
+enum PathOutcome {
     Reached(Reached),
     Ended {
         /// The last position (n).
@@ -227,8 +227,8 @@ impl<'s> Lead<'s> {
         })
     }
 
-    fn follow(&self, q: &[f64]) -> Followed {
-        let ended = |at: &[f64], said| Followed::Ended {
+    fn follow(&self, q: &[f64]) -> PathOutcome {
+        let ended = |at: &[f64], said| PathOutcome::Ended {
             at: at.to_vec(),
             said,
         };
@@ -252,7 +252,7 @@ impl<'s> Lead<'s> {
         let Ok(path) = path else {
             return ended(&q, messages::stuck(self.system, &self.values));
         };
-        let way = Ends {
+        let way = PathEnds {
             first,
             last,
             near: AT_END * (last - first).abs() / way,
@@ -277,7 +277,7 @@ impl<'s> Lead<'s> {
         }
         let scaled = node.d.iter().enumerate();
         let scaled = scaled.map(|(k, d)| d / self.system.column_scale(k));
-        Followed::Reached(Reached {
+        PathOutcome::Reached(Reached {
             arrival: arrives.then(|| scaled.collect()),
             warnings: self.said_of_way(&path, &way),
             q: node.q,
@@ -285,7 +285,7 @@ impl<'s> Lead<'s> {
     }
 
     /// What is said of the singular positions on a way.
-    fn said_of_way(&self, path: &Path, way: &Ends) -> Vec<String> {
+    fn said_of_way(&self, path: &Path, way: &PathEnds) -> Vec<String> {
         let on_way = path.singular_between(way.first.min(way.last), way.first.max(way.last));
         let passed = on_way.iter().filter(|position| {
             position.kind == SingularKind::ChangePoint && !way.is_at_end(position)
@@ -299,7 +299,7 @@ impl<'s> Lead<'s> {
     }
 
     /// What is said of a way that ends before the start.
-    fn said_of_end(&self, path: &Path, way: &Ends) -> String {
+    fn said_of_end(&self, path: &Path, way: &PathEnds) -> String {
         let positions = path.singular_between(f64::NEG_INFINITY, f64::INFINITY);
         let dead = positions.iter().find(|position| {
             position.kind == SingularKind::DeadCentre && way.part(position.s) >= 0.0
@@ -315,13 +315,13 @@ impl<'s> Lead<'s> {
 }
 
 /// Where a way begins and ends, by the path's parameter, and what is as near to its end as to be there.
-struct Ends {
+struct PathEnds {
     first: f64,
     last: f64,
     near: f64,
 }
 
-impl Ends {
+impl PathEnds {
     /// How much of the way leads to `s`.
     fn part(&self, s: f64) -> f64 {
         (s - self.first) / (self.last - self.first)

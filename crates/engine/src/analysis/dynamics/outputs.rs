@@ -15,12 +15,12 @@ pub struct Outputs<'a, 'r> {
     powers: Powers,
     /// Least and largest energy, and largest kinetic energy \[J\].
     energy: Option<[f64; 3]>,
-    ledger: Option<Ledger>,
+    ledger: Option<EnergyBalance>,
 }
 
 /// Kinetic + potential + contact energy + dissipated − work, which stays what it is at the start.
 #[derive(Debug, Clone, Copy)]
-struct Ledger {
+struct EnergyBalance {
     start: f64,
     imbalance: f64,
     largest: f64,
@@ -73,7 +73,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         self.energy = Some([least.min(energy), most.max(energy), largest.max(moving)]);
         if !self.system.contacts.is_empty() {
             let sum = energy + elastic + dissipated - work;
-            let ledger = self.ledger.get_or_insert(Ledger {
+            let ledger = self.ledger.get_or_insert(EnergyBalance {
                 start: sum,
                 imbalance: 0.0,
                 largest: 0.0,

@@ -9,7 +9,7 @@
 
 use super::ended::Ended;
 use super::events::Events;
-use super::extremes::{Extremes, Piece};
+use super::extremes::{Extremes, StepPiece};
 use super::fault::Fault;
 use super::flow::Flow;
 use super::impulses::{Impulses, Instant, Jams};
@@ -124,7 +124,7 @@ impl<'s> Simulation<'s> {
         let until = self.reached();
         let mut step = LastStep::new(&mut self.steps, &mut self.flow, &mut self.state);
         self.passages.note(&mut step, until);
-        let piece = Piece {
+        let piece = StepPiece {
             from: self.steps.previous(),
             until,
             has_event: self.event.is_some(),

@@ -37,12 +37,12 @@ self_cell!(
     struct Cell {
         owner: Scene<'static>,
         #[not_covariant]
-        dependent: Kept,
+        dependent: SteppedMotion,
     }
 );
 
 /// The motion and what is kept of it.
-struct Kept<'s> {
+struct SteppedMotion<'s> {
     now: Simulation<'s>,
     snapshots: Vec<(Weak<()>, Simulation<'s>)>,
     sampling: Sampling,
@@ -69,7 +69,7 @@ impl Stepped {
         let cell = Cell::try_new(scene, |scene| {
             let system = scene.system();
             let columns = Columns::of(&settings.contents.columns(system));
-            Ok::<_, Stop>(Kept {
+            Ok::<_, Stop>(SteppedMotion {
                 now: scene.begin(settings, end)?,
                 snapshots: Vec::new(),
                 sampling: Sampling::new(system, settings.contents, 1),
@@ -191,7 +191,7 @@ impl Stepped {
     fn sample(&mut self) -> Result<(), Stop> {
         let (time, row, [q, v]) = (self.time, &mut self.row, &mut self.state);
         self.cell.with_dependent_mut(|scene, kept| {
-            let Kept {
+            let SteppedMotion {
                 now,
                 sampling,
                 beside,

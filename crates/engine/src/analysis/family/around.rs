@@ -2,7 +2,7 @@
 
 use super::mechanisms::Mechanisms;
 use super::needs::Needs;
-use super::stencil::{PLACES, STEP, Sums};
+use super::stencil::{PLACES, STEP, StencilSums};
 use crate::analysis::derived::Derived;
 use crate::analysis::responses::{Dual, Evaluation, Responses};
 use crate::system::System;
@@ -62,7 +62,7 @@ impl Around {
             return None;
         }
         let names = || responses.list().iter().flat_map(|own| &own.parameters);
-        let mut named = Sums::new(names().count());
+        let mut named = StencilSums::new(names().count());
         named.begin(step);
         let mut row = vec![0.0; names().count()];
         let mut moved = values.to_vec();

@@ -19,7 +19,7 @@ mod rest;
 
 use super::around::Around;
 use super::needs::{Depth, Needs, Room, State};
-use super::stencil::{PLACES, STEP, Sums};
+use super::stencil::{PLACES, STEP, StencilSums};
 use crate::analysis::derived::Derived;
 use crate::analysis::sample::Sample;
 use crate::mechanism::driven::Driven;
@@ -48,14 +48,14 @@ pub type Readers<'r, 's> = &'r mut [Derived<'s>];
 
 /// An instant of a mechanism.
 #[derive(Clone, Copy)]
-struct Instant<'a> {
+struct SlopeInstant<'a> {
     system: &'a System,
     time: f64,
     sample: &'a Sample,
 }
 
 /// What is differentiated: the equations in their order, then the columns.
-enum Stage<'a, 's> {
+enum Differentiated<'a, 's> {
     /// φ (m)
     Positions,
     /// J v + φ_t (m)
@@ -78,9 +78,9 @@ pub struct Slopes<'n> {
     velocity: Vec<f64>,
     acceleration: Vec<f64>,
     lambda: Vec<f64>,
-    rows: Sums,
-    forces: Sums,
-    columns: Sums,
+    rows: StencilSums,
+    forces: StencilSums,
+    columns: StencilSums,
     /// (m), (m), (n).
     product: Vec<f64>,
     other: Vec<f64>,
@@ -120,9 +120,9 @@ impl<'n> Slopes<'n> {
             velocity: vec![0.0; n],
             acceleration: vec![0.0; n],
             lambda: vec![0.0; m],
-            rows: Sums::new(m),
-            forces: Sums::new(n),
-            columns: Sums::new(wanted.needs.count()),
+            rows: StencilSums::new(m),
+            forces: StencilSums::new(n),
+            columns: StencilSums::new(wanted.needs.count()),
             product: vec![0.0; m],
             other: vec![0.0; m],
             pull: vec![0.0; n],
@@ -151,7 +151,7 @@ impl<'n> Slopes<'n> {
             return None;
         }
         let time = inputs.time;
-        let instant = Instant {
+        let instant = SlopeInstant {
             system,
             time,
             sample,
@@ -163,7 +163,7 @@ impl<'n> Slopes<'n> {
     }
 
     /// q_p, v_p and a_p, as far as they are wanted.
-    fn motion(&mut self, driven: &mut Driven, instant: &Instant, along: &Along) -> Option<()> {
+    fn motion(&mut self, driven: &mut Driven, instant: &SlopeInstant, along: &Along) -> Option<()> {
         let depth = self.wanted.depth;
         let Sample { v, a, .. } = instant.sample;
         let speed = instant.system.scaled_norm(v);
@@ -171,15 +171,15 @@ impl<'n> Slopes<'n> {
             self.position.copy_from_slice(v);
             self.velocity.copy_from_slice(a);
         } else {
-            self.differentiate(Stage::Positions, instant, along);
+            self.differentiate(Differentiated::Positions, instant, along);
             self.solve(driven, 1.0, |own| &mut own.position)?;
             if depth > Depth::Positions {
-                self.differentiate(Stage::Velocities, instant, along);
+                self.differentiate(Differentiated::Velocities, instant, along);
                 self.solve(driven, speed, |own| &mut own.velocity)?;
             }
         }
         if depth > Depth::Positions {
-            self.differentiate(Stage::Accelerations, instant, along);
+            self.differentiate(Differentiated::Accelerations, instant, along);
             let size = instant.system.scaled_norm(a).max(speed * speed);
             self.solve(driven, size, |own| &mut own.acceleration)?;
         }
@@ -187,7 +187,7 @@ impl<'n> Slopes<'n> {
     }
 
     /// Takes what a stage is of at all places.
-    fn differentiate(&mut self, mut stage: Stage, instant: &Instant, along: &Along) {
+    fn differentiate(&mut self, mut stage: Differentiated, instant: &SlopeInstant, along: &Along) {
         let mut sums = std::mem::take(self.sums(&stage));
         sums.begin(along.step());
         for (index, place) in PLACES.into_iter().enumerate() {
@@ -199,29 +199,31 @@ impl<'n> Slopes<'n> {
         *self.sums(&stage) = sums;
     }
 
-    fn sums(&mut self, stage: &Stage) -> &mut Sums {
+    fn sums(&mut self, stage: &Differentiated) -> &mut StencilSums {
         match stage {
-            Stage::Positions | Stage::Velocities | Stage::Accelerations => &mut self.rows,
-            Stage::Forces => &mut self.forces,
-            Stage::Columns(..) => &mut self.columns,
+            Differentiated::Positions
+            | Differentiated::Velocities
+            | Differentiated::Accelerations => &mut self.rows,
+            Differentiated::Forces => &mut self.forces,
+            Differentiated::Columns(..) => &mut self.columns,
         }
     }
 
     /// What a stage is of at one place.
     fn value(
         &mut self,
-        stage: &mut Stage,
+        stage: &mut Differentiated,
         (near, index): (&System, usize),
         sample: &Sample,
         by: f64,
     ) -> &[f64] {
         match stage {
-            Stage::Positions => {
+            Differentiated::Positions => {
                 self.evaluation.set_position(&sample.q);
                 self.evaluation.eval_phi(near, &self.inputs);
                 &self.evaluation.phi
             }
-            Stage::Velocities => {
+            Differentiated::Velocities => {
                 self.go(Depth::Positions, sample, by);
                 self.rates(near, &sample.v);
                 self.evaluation
@@ -229,7 +231,7 @@ impl<'n> Slopes<'n> {
                 add(&mut self.product, &self.other, 1.0);
                 &self.product
             }
-            Stage::Accelerations => {
+            Differentiated::Accelerations => {
                 self.go(Depth::Positions, sample, by);
                 moved(&mut self.sample.v, &sample.v, &self.velocity, by);
                 self.evaluation.set_velocity(&self.sample.v);
@@ -239,7 +241,7 @@ impl<'n> Slopes<'n> {
                 add(&mut self.product, &self.other, -1.0);
                 &self.product
             }
-            Stage::Forces => {
+            Differentiated::Forces => {
                 self.carry(near, sample, by);
                 self.evaluation.eval_jacobian(near, &self.inputs);
                 self.evaluation
@@ -247,7 +249,7 @@ impl<'n> Slopes<'n> {
                 add(&mut self.pull, &self.sample.balance, -1.0);
                 &self.pull
             }
-            Stage::Columns(depth, readers) => {
+            Differentiated::Columns(depth, readers) => {
                 match depth {
                     Depth::Positions | Depth::Motion => self.go(*depth, sample, by),
                     Depth::Forces => {
@@ -327,7 +329,7 @@ impl<'n> Slopes<'n> {
         &mut self,
         is_known: bool,
         driven: &mut Driven,
-        instant: &Instant,
+        instant: &SlopeInstant,
         along: &Along,
     ) -> Depth {
         if self.wanted.depth < Depth::Forces {
@@ -336,7 +338,7 @@ impl<'n> Slopes<'n> {
         if !is_known {
             return Depth::Motion;
         }
-        self.differentiate(Stage::Forces, instant, along);
+        self.differentiate(Differentiated::Forces, instant, along);
         self.pull.copy_from_slice(&self.forces.slopes);
         self.pull.iter_mut().for_each(|r| *r = -*r);
         driven.multipliers(&self.pull, &mut self.lambda);
@@ -347,8 +349,8 @@ impl<'n> Slopes<'n> {
         }
     }
 
-    fn are_forces_smooth(&self, instant: &Instant) -> bool {
-        let Instant { system, sample, .. } = instant;
+    fn are_forces_smooth(&self, instant: &SlopeInstant) -> bool {
+        let SlopeInstant { system, sample, .. } = instant;
         // A torque is a force at the size of the mechanism.
         let scale = |column: usize| 1.0 / system.column_scale(column);
         let of = |k: usize| sample.force[k].abs().max(sample.balance[k].abs());
@@ -360,11 +362,11 @@ impl<'n> Slopes<'n> {
     fn read(
         &mut self,
         depth: Depth,
-        instant: &Instant,
+        instant: &SlopeInstant,
         along: &Along,
         readers: Readers,
     ) -> Vec<f64> {
-        self.differentiate(Stage::Columns(depth, readers), instant, along);
+        self.differentiate(Differentiated::Columns(depth, readers), instant, along);
         let (columns, needs) = (&self.columns, self.wanted.needs);
         let is_known = |index: usize| depth == Depth::Forces || !needs.is_carried(index);
         let one = |index: usize| match columns.is_smooth(index) && is_known(index) {

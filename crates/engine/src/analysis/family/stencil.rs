@@ -21,7 +21,7 @@ const SAME: f64 = 1e-8;
 
 /// Derivatives of some values, while the places come.
 #[derive(Debug, Clone, Default)]
-pub struct Sums {
+pub struct StencilSums {
     /// Of order eight.
     pub slopes: Vec<f64>,
     sixth: Vec<f64>,
@@ -29,10 +29,10 @@ pub struct Sums {
     step: f64,
 }
 
-impl Sums {
+impl StencilSums {
     /// Of so many values.
     pub fn new(count: usize) -> Self {
-        Sums {
+        StencilSums {
             slopes: vec![0.0; count],
             sixth: vec![0.0; count],
             largest: vec![0.0; count],
@@ -90,8 +90,8 @@ impl Sums {
 mod tests {
     use super::*;
 
-    fn sums(f: impl Fn(f64) -> f64, length: f64) -> Sums {
-        let mut sums = Sums::new(1);
+    fn sums(f: impl Fn(f64) -> f64, length: f64) -> StencilSums {
+        let mut sums = StencilSums::new(1);
         sums.begin(STEP * length);
         for place in PLACES {
             sums.take(place, &[f(place * STEP * length)]);

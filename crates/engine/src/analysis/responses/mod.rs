@@ -77,7 +77,7 @@ enum Over {
 
 /// What the last arithmetic of a response takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Source {
+enum TakenFrom {
     Reducer(usize),
     Fact(Fact),
 }
@@ -253,11 +253,13 @@ impl Evaluation<'_> {
             let mut found = Ok(());
             for source in &response.sources {
                 let input = match *source {
-                    Source::Fact(of) => fact(of, report, &self.of.joints).ok_or(Reason::NoFact(of)),
-                    Source::Reducer(_) if !is_whole(report.status) => {
+                    TakenFrom::Fact(of) => {
+                        fact(of, report, &self.of.joints).ok_or(Reason::NoFact(of))
+                    }
+                    TakenFrom::Reducer(_) if !is_whole(report.status) => {
                         Err(Reason::Early(report.status))
                     }
-                    Source::Reducer(index) => {
+                    TakenFrom::Reducer(index) => {
                         let reducer = &self.of.reducers[index];
                         let done = match &reducer.over {
                             Over::Rows { .. } => self.running[index].result(reducer.reduction),

@@ -14,7 +14,7 @@
 //! instant is; the derivatives are carried there.
 
 use super::running::Running;
-use super::{Evaluation, Over, Reducer, Source};
+use super::{Evaluation, Over, Reducer, TakenFrom};
 use linkdyn_model::response::{Dual, Program, Reduction};
 
 /// An instant beside an extreme, in parts of the distance of two rows.
@@ -36,7 +36,7 @@ const MET: f64 = 1e-14;
 pub type Columns<'c> = dyn FnMut(f64, bool) -> Option<Vec<Dual<f64>>> + 'c;
 
 /// What a reduction is differentiated with.
-struct Reduced<'a, 'c> {
+struct ReductionSlopes<'a, 'c> {
     running: &'a Running,
     reducer: &'a Reducer,
     /// Times of the rows.
@@ -97,12 +97,12 @@ impl Evaluation<'_> {
         for (response, gradient) in of.list.iter().zip(gradient.chunks_exact_mut(count.max(1))) {
             let mut inputs = Vec::with_capacity(response.sources.len());
             for source in &response.sources {
-                let Source::Reducer(index) = *source else {
+                let TakenFrom::Reducer(index) = *source else {
                     break;
                 };
                 let reducer = &of.reducers[index];
                 let [from, to] = reducer.parameters;
-                let mut reduced = Reduced {
+                let mut reduced = ReductionSlopes {
                     running: &self.running[index],
                     reducer,
                     rows,
@@ -128,7 +128,7 @@ impl Evaluation<'_> {
     }
 }
 
-impl Reduced<'_, '_> {
+impl ReductionSlopes<'_, '_> {
     /// The result with its derivatives; `None` if they are not known.
     fn differentiate(&mut self) -> Option<Dual<f64>> {
         let Over::Rows { value, equation } = &self.reducer.over else {

@@ -37,12 +37,12 @@ pub type CurvePoint = [f64; 2];
 
 /// What is known around a top: points nearest to it first.
 #[derive(Debug, Clone, Copy)]
-struct Known {
+struct KnownAround {
     points: [CurvePoint; NEAREST],
     count: usize,
 }
 
-impl Known {
+impl KnownAround {
     /// Adds a point, in place of the farthest where there is no more room.
     fn add(&mut self, point: CurvePoint) {
         let far = |known: &CurvePoint| (known[0] - point[0]).abs();
@@ -111,13 +111,13 @@ impl Known {
 
 /// A place between two others that is known to be the highest so far.
 #[derive(Debug, Clone, Copy)]
-struct Bracket {
+struct TopBracket {
     low: CurvePoint,
     best: CurvePoint,
     high: CurvePoint,
 }
 
-impl Bracket {
+impl TopBracket {
     fn width(&self) -> f64 {
         self.high[0] - self.low[0]
     }
@@ -196,7 +196,7 @@ pub fn find(
     }
     let mut known = nearest(rows, index);
     let last = rows.len() - 1;
-    let mut bracket = Bracket {
+    let mut bracket = TopBracket {
         low: rows[index.saturating_sub(1)],
         best: rows[index],
         high: rows[(index + 1).min(last)],
@@ -251,10 +251,10 @@ pub fn find(
 }
 
 /// The rows nearest to one.
-fn nearest(rows: &[CurvePoint], index: usize) -> Known {
+fn nearest(rows: &[CurvePoint], index: usize) -> KnownAround {
     let count = rows.len().min(NEAREST);
     let first = index.saturating_sub(NEAREST / 2).min(rows.len() - count);
-    let mut known = Known {
+    let mut known = KnownAround {
         points: [[0.0; 2]; NEAREST],
         count: 0,
     };

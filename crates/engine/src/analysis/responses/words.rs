@@ -1,7 +1,7 @@
 //! The responses of a model, put together with the columns of a run.
 
 use super::items::Listed;
-use super::{Over, Reducer, Responses, Source};
+use super::{Over, Reducer, Responses, TakenFrom};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::response::{
     Catalogue, Compiled, Input, Item, Known, Place, Program, Reduce, Results, Values,
@@ -28,7 +28,7 @@ pub struct Response {
     pub needs_report: bool,
     pub(super) first_parameter: usize,
     pub(super) total: Program,
-    pub(super) sources: Vec<Source>,
+    pub(super) sources: Vec<TakenFrom>,
 }
 
 /// The columns of a run, and what else its model names.
@@ -128,8 +128,8 @@ impl Responses {
         let mut sources = Vec::new();
         let total = compiled.total.map(|input| {
             sources.push(match input {
-                Input::Reduced(index) => Source::Reducer(first + index),
-                Input::Fact(fact) => Source::Fact(fact),
+                Input::Reduced(index) => TakenFrom::Reducer(first + index),
+                Input::Fact(fact) => TakenFrom::Fact(fact),
             });
             sources.len() - 1
         });

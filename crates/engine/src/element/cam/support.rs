@@ -14,13 +14,13 @@ use std::f64::consts::TAU;
 /// A support function, by the angle θ₂ − θ₁ of the follower in the cam.
 #[derive(Debug, Clone)]
 pub struct Support {
-    form: Form,
+    form: SupportForm,
     /// Angle of n in the follower's frame \[rad\].
     normal: f64,
 }
 
 #[derive(Debug, Clone)]
-enum Form {
+enum SupportForm {
     Circle {
         centre: Vec2,
         radius: f64,
@@ -44,12 +44,12 @@ const STARTS: usize = 256;
 impl Support {
     /// Of a circle.
     pub fn circle(centre: Vec2, radius: f64, normal: Vec2) -> Self {
-        Support::of(Form::Circle { centre, radius }, normal)
+        Support::of(SupportForm::Circle { centre, radius }, normal)
     }
 
     /// Of the motion that a face gets.
     pub fn law(base: f64, law: Pieces, normal: Vec2) -> Self {
-        Support::of(Form::Law { base, law }, normal)
+        Support::of(SupportForm::Law { base, law }, normal)
     }
 
     /// Of a curve; `None` if it is not convex: a face does not touch it in hollows.
@@ -65,10 +65,10 @@ impl Support {
             nearest.map_or(0.0, |sample| sample.0)
         };
         let starts = (0..STARTS).map(nearest).collect();
-        Some(Support::of(Form::Curve { curve, starts }, normal))
+        Some(Support::of(SupportForm::Curve { curve, starts }, normal))
     }
 
-    fn of(form: Form, normal: Vec2) -> Self {
+    fn of(form: SupportForm, normal: Vec2) -> Self {
         let normal = normal.y.atan2(normal.x);
         Support { form, normal }
     }
@@ -83,17 +83,17 @@ impl Support {
     pub fn jet(&self, turned: f64, stretch: Option<i32>) -> Jet {
         let alpha = turned + self.normal;
         match &self.form {
-            Form::Circle { centre, radius } => {
+            SupportForm::Circle { centre, radius } => {
                 let (sin, cos) = alpha.sin_cos();
                 let n = Vec2::new(cos, sin);
                 let across = centre.dot(&n);
                 [across + radius, centre.dot(&perp(n)), -across]
             }
-            Form::Law { base, law } => {
+            SupportForm::Law { base, law } => {
                 let [s, s1, s2] = held(law, -turned, stretch).0;
                 [base + s, -s1, s2]
             }
-            Form::Curve { curve, starts } => {
+            SupportForm::Curve { curve, starts } => {
                 let part = alpha / TAU + 0.5;
                 let k = ((part - part.floor()) * STARTS as f64).round() as usize;
                 curve.support(alpha, starts[k % STARTS])
@@ -104,8 +104,8 @@ impl Support {
     /// The law of the follower's motion, where it has breaks.
     pub(super) fn broken(&self) -> Option<&Pieces> {
         match &self.form {
-            Form::Law { law, .. } => Some(law).filter(|law| law.has_breaks()),
-            Form::Circle { .. } | Form::Curve { .. } => None,
+            SupportForm::Law { law, .. } => Some(law).filter(|law| law.has_breaks()),
+            SupportForm::Circle { .. } | SupportForm::Curve { .. } => None,
         }
     }
 

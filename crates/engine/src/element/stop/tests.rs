@@ -7,7 +7,7 @@ use crate::element::tests::{Named, marker};
 pub(in crate::element) fn each() -> [Named; 4] {
     let axis = Vec2::new(0.6, 0.8);
     let lock = Stop {
-        kept: Some(Kept {
+        kept: Some(HeldStop {
             id: ContactId(0),
             is_lock: true,
         }),

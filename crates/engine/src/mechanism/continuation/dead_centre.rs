@@ -28,7 +28,7 @@ impl Walker<'_, '_> {
         let mut border = scaled(&last.d);
         let length = dot(&border, &border).sqrt() * direction;
         border.iter_mut().for_each(|b| *b /= length);
-        let mut arc = Arc::new(self, border, last);
+        let mut arc = BorderedPath::new(self, border, last);
         // Secant on ds/dp from the last two nodes.
         let offset: Vec<f64> = before.q.iter().zip(&last.q).map(|(a, b)| a - b).collect();
         let g = direction / dot(&arc.border, &scaled(&before.d)).abs();
@@ -124,7 +124,7 @@ fn asymptote(before: PathPoint, last: PathPoint) -> f64 {
 }
 
 /// The path with p = borderᵀ (q̃ − q̃₀) as its parameter: bordered Newton in (q̃, s).
-struct Arc<'a, 'b, 's> {
+struct BorderedPath<'a, 'b, 's> {
     walker: &'a mut Walker<'b, 's>,
     border: Vec<f64>,
     origin: Vec<f64>,
@@ -134,7 +134,7 @@ struct Arc<'a, 'b, 's> {
     lu: SparseLu,
 }
 
-impl<'a, 'b, 's> Arc<'a, 'b, 's> {
+impl<'a, 'b, 's> BorderedPath<'a, 'b, 's> {
     fn new(walker: &'a mut Walker<'b, 's>, border: Vec<f64>, last: &Node) -> Self {
         let system = walker.driven.system;
         let n = system.n();
@@ -153,7 +153,7 @@ impl<'a, 'b, 's> Arc<'a, 'b, 's> {
         places.extend((0..n).map(|column| (n, column)));
         let (pattern, slots) = square(n + 1, &places);
         let lu = SparseLu::new(pattern.clone(), ColumnOrder::amd(&pattern));
-        Arc {
+        BorderedPath {
             walker,
             border,
             origin: last.q.clone(),

@@ -141,9 +141,9 @@ impl Walker<'_, '_> {
         let mut march = March::new(self, start, target, direction);
         loop {
             match march.step() {
-                Step::Taken(mark) => marks.push(mark),
-                Step::Rejected => {}
-                Step::Ended(end) => return (marks, end),
+                MarchStep::Taken(mark) => marks.push(mark),
+                MarchStep::Rejected => {}
+                MarchStep::Ended(end) => return (marks, end),
             }
         }
     }
@@ -174,7 +174,7 @@ struct March<'w, 'a, 's> {
 }
 
 /// What became of one step.
-enum Step {
+enum MarchStep {
     Taken(Mark),
     /// To be tried again, shorter.
     Rejected,
@@ -221,16 +221,16 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
     }
 
     /// One attempt.
-    fn step(&mut self) -> Step {
+    fn step(&mut self) -> MarchStep {
         let covered = (self.current.s - self.target) * self.direction >= 0.0;
         if covered && self.beyond >= BEYOND {
-            return Step::Ended(End::Reached);
+            return MarchStep::Ended(End::Reached);
         }
         if (self.walker.stop)(self.current.s) {
-            return Step::Ended(End::Interrupted);
+            return MarchStep::Ended(End::Interrupted);
         }
         if self.h < SHORTEST_STEP * self.largest {
-            return Step::Ended(self.end_of_path(covered));
+            return MarchStep::Ended(self.end_of_path(covered));
         }
         let s = self.current.s + self.direction * self.h;
         self.predict(s);
@@ -293,7 +293,7 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
     }
 
     /// Takes a node that was solved.
-    fn accept(&mut self, node: Node, correction: Correction, covered: bool) -> Step {
+    fn accept(&mut self, node: Node, correction: Correction, covered: bool) -> MarchStep {
         let walker = &mut *self.walker;
         walker.steps += 1;
         // Signs under the rows chosen at the node before, then rows chosen anew.
@@ -329,12 +329,12 @@ impl<'w, 'a, 's> March<'w, 'a, 's> {
         if self.walker.parameter.predictors() > 2 {
             self.earlier = before;
         }
-        Step::Taken(mark)
+        MarchStep::Taken(mark)
     }
 
-    fn reject(&mut self, shorten: f64) -> Step {
+    fn reject(&mut self, shorten: f64) -> MarchStep {
         self.walker.rejected += 1;
         self.h *= shorten;
-        Step::Rejected
+        MarchStep::Rejected
     }
 }

@@ -23,7 +23,7 @@
 mod entries;
 
 use super::sequence::Sequence;
-use super::straight::Straight;
+use super::straight::ConstantMatrices;
 use crate::mechanism::driven::Driven;
 use crate::system::{Inputs, Slopes, Standing};
 use entries::Entries;
@@ -34,7 +34,7 @@ use std::sync::Arc;
 
 /// One entry of M, C, K and J on the pattern, each in its own place of the sum.
 #[derive(Debug, Clone, Copy, Default)]
-struct Parts {
+struct SaddleParts {
     mass: f64,
     damping: f64,
     stiffness: f64,
@@ -60,7 +60,7 @@ pub(super) struct Saddle {
     own: Vec<u32>,
     pattern: Arc<Pattern>,
     /// By slot, with a last cell for what has none.
-    parts: Vec<Parts>,
+    parts: Vec<SaddleParts>,
     /// Where the entries of M, of J (and Jᵀ), of the forces' derivatives and of the constraints' are.
     inertia: Vec<(u32, f64)>,
     jacobian: Vec<[u32; 2]>,
@@ -94,7 +94,7 @@ pub(super) struct Saddle {
 pub(super) enum By<'a> {
     Factors(&'a mut SparseLu),
     Sequence(&'a Sequence),
-    Straight(&'a mut Straight),
+    Straight(&'a mut ConstantMatrices),
 }
 
 impl By<'_> {
@@ -161,7 +161,7 @@ impl Saddle {
         let own = own.filter_map(|coordinate| places[coordinate.column]);
         let columns = || moving.iter().map(|column| *column as usize);
         Saddle {
-            parts: vec![Parts::default(); trash as usize + 1],
+            parts: vec![SaddleParts::default(); trash as usize + 1],
             inertia: of_masses.iter().map(|[at, _]| *at).zip(scaled).collect(),
             jacobian: of_jacobian.to_vec(),
             slopes: rest.iter().zip(slopes).map(place).collect(),
@@ -202,7 +202,7 @@ impl Saddle {
         self.layout
             .eval_bends(evaluation, (system, inputs), lambda, bent);
         self.has_damping = self.velocity.iter().any(|c| *c != 0.0);
-        self.parts.fill(Parts::default());
+        self.parts.fill(SaddleParts::default());
         for &(slot, m) in &self.inertia {
             self.parts[slot as usize].mass += m / self.unit;
         }

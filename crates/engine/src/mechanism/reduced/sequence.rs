@@ -28,7 +28,7 @@ const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
 /// What a row says.
 #[derive(Debug, Clone, Copy)]
-struct Turn {
+struct RowTurn {
     row: u32,
     /// Of which coordinate.
     column: u32,
@@ -44,7 +44,7 @@ struct Turn {
 pub(super) struct Sequence {
     /// Which choice it is of.
     revision: u64,
-    turns: Vec<Turn>,
+    turns: Vec<RowTurn>,
     /// How many turns each round has.
     rounds: Vec<u32>,
     /// Number in J and column of the rows' other entries, turn by turn.
@@ -59,7 +59,7 @@ pub(super) struct Sequence {
 
 /// An entry of J in a column that moves.
 #[derive(Debug, Clone, Copy)]
-struct Entry {
+struct ColumnEntry {
     number: u32,
     column: u32,
     value: f64,
@@ -195,7 +195,7 @@ impl Sequence {
 /// Rows while their order is looked for.
 struct Order {
     /// Entries by row.
-    entries: Vec<Vec<Entry>>,
+    entries: Vec<Vec<ColumnEntry>>,
     /// Rows by column.
     rows: Vec<Vec<u32>>,
     /// By column, the round in which it has become known, counted from one; none of those that are not.
@@ -229,7 +229,7 @@ impl Order {
                 };
                 let row = entry.row as usize;
                 let bends = || bends.iter().any(|pair| pair.contains(&(column as usize)));
-                order.entries[row].push(Entry {
+                order.entries[row].push(ColumnEntry {
                     number: number as u32,
                     column,
                     value: driven.evaluation.jacobian[number],
@@ -238,7 +238,7 @@ impl Order {
             }
         }
         for (row, entries) in order.entries.iter_mut().enumerate() {
-            let size = |entry: &Entry| scaled[entry.number as usize].abs();
+            let size = |entry: &ColumnEntry| scaled[entry.number as usize].abs();
             let largest = entries.iter().map(size).fold(0.0, f64::max);
             // What is constant and zero is so for good.
             entries.retain(|entry| !entry.is_constant || size(entry) > ROUND_OFF * largest);
@@ -281,8 +281,8 @@ impl Order {
     /// The column that a row says, where it can in this round.
     fn take(&mut self, row: u32, round: usize, sequence: &mut Sequence) -> Option<u32> {
         let entries = &self.entries[row as usize];
-        let is_unknown = |entry: &&Entry| self.known[entry.column as usize].is_none();
-        let is_new = |entry: &&Entry| self.known[entry.column as usize] == Some(round);
+        let is_unknown = |entry: &&ColumnEntry| self.known[entry.column as usize].is_none();
+        let is_new = |entry: &&ColumnEntry| self.known[entry.column as usize] == Some(round);
         let column = entries.iter().find(is_unknown)?.column;
         let own = entries.iter().filter(|entry| entry.column == column);
         let others = || entries.iter().filter(|entry| entry.column != column);
@@ -298,7 +298,7 @@ impl Order {
         sequence
             .beside
             .extend(others().map(|entry| [entry.number, entry.column]));
-        sequence.turns.push(Turn {
+        sequence.turns.push(RowTurn {
             row,
             column,
             over: -1.0 / value,

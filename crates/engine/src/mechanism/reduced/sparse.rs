@@ -52,12 +52,12 @@ pub(super) struct Sparse {
     /// J_A's factors at the last accepted point, and the choice of rows that they are of.
     kept: Option<SparseLu>,
     kept_revision: u64,
-    probe: Probe,
+    probe: MotionProbe,
 }
 
 /// A cheap look for coordinates that move more than the independent ones: all of these at once, in directions by chance.
 #[derive(Clone, Default)]
-struct Probe {
+struct MotionProbe {
     motion: Vec<f64>,
     signs: u64,
     /// What moved most, and what did when none was found to be better.
@@ -113,9 +113,9 @@ impl Sparse {
             work: vec![0.0; size],
             kept: None,
             kept_revision: 0,
-            probe: Probe {
+            probe: MotionProbe {
                 motion: vec![0.0; n],
-                ..Probe::default()
+                ..MotionProbe::default()
             },
         }
     }
@@ -259,7 +259,7 @@ impl Sparse {
 
     /// Whether a coordinate may move more than twice as much as an independent one that determines it, at the accepted point.
     pub fn may_be_better(&mut self, driven: &mut Driven, sequence: Option<&Sequence>) -> bool {
-        let Probe {
+        let MotionProbe {
             motion,
             signs,
             calm,

@@ -13,7 +13,7 @@ use super::place::Placed;
 use super::saddle::{By, Saddle};
 use super::sequence::Sequence;
 use super::sparse::Sparse;
-use super::straight::Straight;
+use super::straight::ConstantMatrices;
 use crate::mechanism::driven::{Driven, Failure};
 
 /// Most stages of a method.
@@ -42,7 +42,7 @@ struct Matrices {
     revision: u64,
     saddle: Saddle,
     /// Where no constraint bends.
-    straight: Option<Straight>,
+    straight: Option<ConstantMatrices>,
 }
 
 impl Matrices {
@@ -52,7 +52,7 @@ impl Matrices {
         Matrices {
             revision: driven.revision(),
             saddle: Saddle::of(driven, &standing),
-            straight: Straight::of(driven, &standing),
+            straight: ConstantMatrices::of(driven, &standing),
         }
     }
 

@@ -16,7 +16,7 @@ use linkdyn_linear::pattern::square;
 
 /// The matrices of a choice of rows and independent coordinates.
 #[derive(Clone)]
-pub(super) struct Straight {
+pub(super) struct ConstantMatrices {
     /// Columns that move, and among these the place of each independent coordinate (f).
     moving: Vec<u32>,
     own: Vec<u32>,
@@ -58,7 +58,7 @@ fn factored(size: usize, entries: &[(usize, usize, f64)]) -> Option<SparseLu> {
     Some(lu)
 }
 
-impl Straight {
+impl ConstantMatrices {
     /// Of a mechanism at a position that satisfies its constraints, with J there; `None` if one of them bends.
     pub fn of(driven: &Driven, standing: &Standing) -> Option<Self> {
         let (system, moving) = (driven.system, standing.moving());
@@ -114,7 +114,7 @@ impl Straight {
         }
         let weights = rows.iter().map(|row| 1.0 / system.row_scale(*row as usize));
         let size = moving.len() + rows.len();
-        Some(Straight {
+        Some(ConstantMatrices {
             rest: match dependent.is_empty() {
                 true => None,
                 false => Some(factored(rows.len(), &rest)?),

@@ -35,10 +35,10 @@ pub(super) fn touches<'a>(
 }
 
 /// Key from the profile on, message and hint.
-type Fault = (&'static str, &'static str, &'static str);
+type ProfileFault = (&'static str, &'static str, &'static str);
 
 /// What touches; a face that lies as the follower's x axis where a hole was in the file.
-fn touch(cam: &cam::Cam) -> Result<Touch, Fault> {
+fn touch(cam: &cam::Cam) -> Result<Touch, ProfileFault> {
     let roller = cam.roller_radius.unwrap_or(0.0);
     let radius = match cam.follower {
         Follower::Flat => {
@@ -92,20 +92,20 @@ fn touch(cam: &cam::Cam) -> Result<Touch, Fault> {
     })
 }
 
-const LOOP: Fault = (
+const LOOP: ProfileFault = (
     "",
     "the cam of this motion makes a loop: seen from its point, the follower does not go once around in one sense",
     "slower rises, a larger base radius or less offset; for a curve through points more of them",
 );
 
-const HOLLOW: Fault = (
+const HOLLOW: ProfileFault = (
     "",
     "the curve through the points is hollow somewhere, where a flat face can't touch it",
     "take a roller, or points of a convex curve",
 );
 
 /// What a face touches.
-fn face(profile: &Profile, normal: Vec2) -> Result<Support, Fault> {
+fn face(profile: &Profile, normal: Vec2) -> Result<Support, ProfileFault> {
     match profile {
         Profile::Circle { centre, radius } => {
             Ok(Support::circle(Vec2::from(*centre), *radius, normal))

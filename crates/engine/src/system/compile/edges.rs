@@ -220,7 +220,7 @@ impl Tip {
 
     fn seam(&self, [way, next]: [&OutlinePiece; 2], corner: Vec2) -> Seam {
         let (u, v) = (way.directions()[1], next.directions()[0]);
-        let turn = Turn::between(u, v);
+        let turn = CornerTurn::between(u, v);
         if turn.is_hollow() {
             // The centre of a tip with a radius does not come to the corner.
             let reach = match self.radius > 0.0 {
@@ -303,11 +303,11 @@ impl Tip {
 }
 
 /// How an outline turns where two ways meet \[rad\]: left, around a convex corner, above 0.
-struct Turn {
+struct CornerTurn {
     angle: f64,
 }
 
-impl Turn {
+impl CornerTurn {
     fn between(u: Vec2, v: Vec2) -> Self {
         let (sin, cos) = (u.x * v.y - u.y * v.x, u.dot(&v));
         let angle = match sin.abs() <= SMOOTH {
@@ -315,7 +315,7 @@ impl Turn {
             true => PI,
             false => sin.atan2(cos),
         };
-        Turn { angle }
+        CornerTurn { angle }
     }
 
     fn is_hollow(&self) -> bool {

@@ -7,14 +7,14 @@ use crate::contact::{friction, normal};
 use crate::element::clasp::Clasp;
 use crate::element::journal::Free;
 use crate::element::pair::{Compliant, ContactId, Pair, Rigid, Shape, Surface};
-use crate::element::stop::{Kept, Side, Stop, Travel};
+use crate::element::stop::{HeldStop, Side, Stop, Travel};
 use crate::system::{ContactRows, JointId, LOCK, ONE_WAY, Origin, Owner};
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::{JointKind, Latch, OneWay, PointRef, Stops};
 use std::sync::Arc;
 
 /// What has an end.
-struct End<'m> {
+struct StopOwner<'m> {
     owner: Owner,
     between: &'m [PointRef; 2],
     way: Travel,
@@ -24,7 +24,7 @@ impl Compiler<'_> {
     /// Stops stand behind all other contacts but outlines, and their rows behind all others.
     pub(super) fn add_stops(&mut self) {
         for (k, joint) in self.model.joints.values().enumerate() {
-            let end = End {
+            let end = StopOwner {
                 owner: Owner::Joint(JointId(k)),
                 between: &joint.between,
                 way: way(&joint.kind),
@@ -61,7 +61,7 @@ impl Compiler<'_> {
                 damping: stroke.stop_damping,
                 ..Stops::default()
             };
-            let end = End {
+            let end = StopOwner {
                 owner: Owner::Force(k),
                 between,
                 way: Travel::Apart,
@@ -79,7 +79,7 @@ impl Compiler<'_> {
     }
 
     /// Stops at the limits that there are.
-    fn add_ends(&mut self, end: &End, stops: &Stops) {
+    fn add_ends(&mut self, end: &StopOwner, stops: &Stops) {
         let limits = stops.limits.unwrap_or_default();
         for (side, limit) in [Side::Lower, Side::Upper].into_iter().zip(limits) {
             if let Some(limit) = limit {
@@ -109,7 +109,7 @@ impl Compiler<'_> {
     /// A stop at a limit; without one it holds where the joint is: a lock, or a one-way clutch.
     fn add_stop(
         &mut self,
-        end: &End,
+        end: &StopOwner,
         (side, index, limit): (Side, usize, Option<f64>),
         surface: Surface,
     ) -> ContactId {
@@ -124,7 +124,7 @@ impl Compiler<'_> {
                 limit: limit.unwrap_or(0.0),
                 arm: self.arm(end.way),
                 size: self.system.size,
-                kept: limit.is_none().then_some(Kept {
+                kept: limit.is_none().then_some(HeldStop {
                     id,
                     is_lock: index == LOCK,
                 }),

@@ -35,7 +35,7 @@ const INSIDE: f64 = 0.1;
 
 /// The guards at one time.
 #[derive(Debug, Clone, Default)]
-struct Node {
+struct GuardNode {
     time: f64,
     /// The largest of them, where the mechanism was evaluated for this.
     largest: f64,
@@ -43,7 +43,7 @@ struct Node {
     levels: Vec<[f64; 2]>,
 }
 
-impl Node {
+impl GuardNode {
     fn take(&mut self, mark: &Mark) {
         self.time = mark.time;
         self.samples.clear();
@@ -62,7 +62,7 @@ impl Node {
 
 /// A guard that may be above zero between two times.
 #[derive(Debug, Clone, Copy)]
-struct Open {
+struct OpenInterval {
     guard: usize,
     from: f64,
     to: f64,
@@ -70,9 +70,9 @@ struct Open {
     doubt: Doubt,
 }
 
-impl Open {
+impl OpenInterval {
     /// Its course between two evaluations.
-    fn course(&self, from: &Node, to: &Node) -> Course {
+    fn course(&self, from: &GuardNode, to: &GuardNode) -> Course {
         let samples = [from, to].map(|node| &node.samples[self.guard]);
         Course::new(samples, self.least, to.time - from.time)
     }
@@ -82,11 +82,11 @@ impl Open {
 #[derive(Debug, Clone, Default)]
 pub struct Sweep {
     /// The first of them are the evaluations of the step, in the order of time.
-    nodes: Vec<Node>,
+    nodes: Vec<GuardNode>,
     known: usize,
     /// Times and samples of one guard.
     series: Vec<(f64, Sample)>,
-    opens: Vec<Open>,
+    opens: Vec<OpenInterval>,
     /// Evaluations that the step has taken.
     taken: usize,
 }
@@ -129,10 +129,10 @@ impl Sweep {
     fn through(
         &mut self,
         step: &mut LastStep,
-        opens: &[Open],
+        opens: &[OpenInterval],
         until: f64,
     ) -> Result<Option<Bracket>, Fault> {
-        let mut ends: [Node; 2] = Default::default();
+        let mut ends: [GuardNode; 2] = Default::default();
         for group in opens.chunk_by(|one, other| one.from == other.from && one.to == other.to) {
             let times = [group[0].from, group[0].to].map(|time| time.min(until));
             if times[0] >= times[1] {
@@ -143,15 +143,15 @@ impl Sweep {
                     *end = self.exactly(step, time)?;
                 }
             }
-            let exact = |open: &Open| {
+            let exact = |open: &OpenInterval| {
                 let of_ends = [false; 2];
                 let doubt = Doubt {
                     of_ends,
                     ..open.doubt
                 };
-                Open { doubt, ..*open }
+                OpenInterval { doubt, ..*open }
             };
-            let group: Vec<Open> = group.iter().map(exact).collect();
+            let group: Vec<OpenInterval> = group.iter().map(exact).collect();
             if let Some(bracket) = self.descend(step, [&ends[0], &ends[1]], &group, DEEPEST)? {
                 return Ok(Some(bracket));
             }
@@ -167,13 +167,13 @@ impl Sweep {
             let time = mark.time;
             let is_end = time == from || time == to;
             let apart = if is_end { 0.0 } else { APART * (to - from) };
-            let is_near = |node: &Node| (node.time - time).abs() <= apart;
+            let is_near = |node: &GuardNode| (node.time - time).abs() <= apart;
             let is_close = !is_end && (time - from).min(to - time) < apart;
             if is_close || self.nodes[..self.known].iter().any(is_near) {
                 continue;
             }
             if self.known == self.nodes.len() {
-                self.nodes.push(Node::default());
+                self.nodes.push(GuardNode::default());
             }
             self.nodes[self.known].take(&mark);
             self.known += 1;
@@ -266,7 +266,7 @@ impl Sweep {
             // What rises up to a time at which it is not above zero was not so before.
             let is_last = to >= until;
             if course.first(doubt).is_some() && !(is_last && course.rises(doubt)) {
-                self.opens.push(Open {
+                self.opens.push(OpenInterval {
                     guard,
                     from,
                     to,
@@ -281,12 +281,12 @@ impl Sweep {
     }
 
     /// The guards at a time of the step, by its continuous extension.
-    fn exactly(&mut self, step: &mut LastStep, time: f64) -> Result<Node, Fault> {
+    fn exactly(&mut self, step: &mut LastStep, time: f64) -> Result<GuardNode, Fault> {
         self.taken += 1;
         step.evaluate(time)?;
         let mut samples = vec![Sample::never(); step.flow.system().guards()];
         let largest = step.flow.sample(&mut samples);
-        Ok(Node {
+        Ok(GuardNode {
             time,
             largest,
             samples,
@@ -298,13 +298,13 @@ impl Sweep {
     fn descend(
         &mut self,
         step: &mut LastStep,
-        [from, to]: [&Node; 2],
-        opens: &[Open],
+        [from, to]: [&GuardNode; 2],
+        opens: &[OpenInterval],
         depth: usize,
     ) -> Result<Option<Bracket>, Fault> {
         let width = to.time - from.time;
-        let is_open = |open: &&Open| open.course(from, to).first(open.doubt).is_some();
-        let opens: Vec<Open> = opens.iter().filter(is_open).copied().collect();
+        let is_open = |open: &&OpenInterval| open.course(from, to).first(open.doubt).is_some();
+        let opens: Vec<OpenInterval> = opens.iter().filter(is_open).copied().collect();
         let early = opens.iter().filter_map(|open| {
             let course = open.course(from, to);
             Some((course.first(open.doubt)?, course))
@@ -315,7 +315,7 @@ impl Sweep {
         };
         let [low, high] = [from.point(), to.point()];
         let bracket = (high.value > 0.0 && low.value <= 0.0).then_some(Bracket { low, high });
-        let rises = |open: &Open| open.course(from, to).rises(open.doubt);
+        let rises = |open: &OpenInterval| open.course(from, to).rises(open.doubt);
         let is_last = depth == 0 || is_instant(from.time, to.time);
         if is_last || (bracket.is_some() && opens.iter().all(rises)) {
             return Ok(bracket);
@@ -329,11 +329,11 @@ impl Sweep {
         let x = first.summit(x).clamp(INSIDE, 1.0 - INSIDE);
         let middle = self.exactly(step, from.time + x * width)?;
         let of = |part: f64| {
-            let known = |open: &Open| {
+            let known = |open: &OpenInterval| {
                 let course = open.course(from, to);
                 let missed = course.missed(&middle.samples[open.guard], x).times(SAFETY);
                 let doubt = course.doubt(missed, part).max(open.doubt.times(BETTER));
-                Open { doubt, ..*open }
+                OpenInterval { doubt, ..*open }
             };
             opens.iter().map(known).collect::<Vec<_>>()
         };

@@ -55,7 +55,7 @@ type Top = (usize, usize, f64, f64);
 
 /// The last step up to where it counts, and whether an event is there.
 #[derive(Debug, Clone, Copy)]
-pub struct Piece {
+pub struct StepPiece {
     /// Its beginning \[s\].
     pub from: f64,
     /// Its end, or the event \[s\].
@@ -64,7 +64,7 @@ pub struct Piece {
     pub has_event: bool,
 }
 
-impl Piece {
+impl StepPiece {
     /// A time by its place in the step, 0 … 1.
     fn at(&self, place: f64) -> f64 {
         self.from + place * (self.until - self.from)
@@ -155,8 +155,8 @@ impl Extremes {
     }
 
     /// Searches the last step. The mechanism is evaluated at the end of the piece, with its state.
-    pub fn note_step(&mut self, step: &mut LastStep, ledger: &mut Ledger, piece: Piece) {
-        let Piece { from, until, .. } = piece;
+    pub fn note_step(&mut self, step: &mut LastStep, ledger: &mut Ledger, piece: StepPiece) {
+        let StepPiece { from, until, .. } = piece;
         let rises = |contact: &usize| {
             let force = || step.flow.reading(*contact).normal;
             step.flow.is_in_contact(*contact) && self.episodes.rises(*contact, force())
@@ -207,7 +207,7 @@ impl Extremes {
         &mut self,
         step: &mut LastStep,
         ledger: &mut Ledger,
-        piece: Piece,
+        piece: StepPiece,
     ) -> Result<(), Fault> {
         // All of a piece within one step: its ends tell nothing.
         let is_all = !self.watch.has_before() && piece.has_event;
@@ -312,7 +312,7 @@ impl Extremes {
         &mut self,
         step: &mut LastStep,
         ledger: &mut Ledger,
-        piece: Piece,
+        piece: StepPiece,
         &(quantity, side, place, _): &Top,
     ) -> Result<(), Fault> {
         let (mut place, mut width) = (place, WIDTH);

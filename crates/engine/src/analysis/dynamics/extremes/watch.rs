@@ -34,7 +34,7 @@ struct Extreme {
 
 /// A row that holds extremes, as long as there are any.
 #[derive(Debug, Clone, Default)]
-struct Kept {
+struct HeldRow {
     uses: usize,
     row: Vec<f64>,
 }
@@ -64,7 +64,7 @@ pub struct Watch {
     watched: Vec<Watched>,
     /// Least and largest, by quantity.
     extremes: Vec<[Extreme; 2]>,
-    kept: Vec<Kept>,
+    kept: Vec<HeldRow>,
     free: Vec<usize>,
     /// How near an extreme has to be, by quantity.
     pub near: Vec<f64>,
@@ -282,9 +282,9 @@ impl Watch {
 }
 
 /// A row into a free place.
-fn keep(kept: &mut Vec<Kept>, free: &mut Vec<usize>, row: &[f64]) -> usize {
+fn keep(kept: &mut Vec<HeldRow>, free: &mut Vec<usize>, row: &[f64]) -> usize {
     let place = free.pop().unwrap_or_else(|| {
-        kept.push(Kept::default());
+        kept.push(HeldRow::default());
         kept.len() - 1
     });
     kept[place].uses = 0;

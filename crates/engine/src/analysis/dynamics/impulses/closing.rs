@@ -36,7 +36,7 @@ const LEFT: f64 = 1e-8;
 const JOINED: usize = 2;
 
 /// The rows of a joint that closes, and what impulses along them do.
-struct Rows {
+struct ClosingRows {
     constraint: Arc<dyn Constraint>,
     /// Jᵀ by row (n).
     forces: Vec<Vec<f64>>,
@@ -48,7 +48,7 @@ struct Rows {
     arms: Vec<f64>,
 }
 
-impl Rows {
+impl ClosingRows {
     /// Of a contact at the last evaluation.
     fn new(flow: &mut Flow, contact: usize) -> Self {
         let system = flow.system();
@@ -78,7 +78,7 @@ impl Rows {
             Measure::Length => 1.0,
             Measure::Angle => system.size,
         };
-        Rows {
+        ClosingRows {
             arms: measures.iter().map(arm).collect(),
             forces,
             rates,
@@ -162,7 +162,7 @@ impl Impulses<'_, '_> {
         if system.contacts[contact].clasp().is_some() {
             self.join(contact, least)?;
         }
-        let rows = Rows::new(self.at.flow, contact);
+        let rows = ClosingRows::new(self.at.flow, contact);
         let (pushes, left) = rows.impulses(&rows.before, least);
         if left > LEFT * scale.velocity() {
             return Err(Fault::Driven { contact, left });
@@ -182,13 +182,13 @@ impl Impulses<'_, '_> {
             impulse: if push > 0.0 { push } else { turn },
             sliding: 0.0,
         };
-        let changed = Rows::sum(&rows.rates, &pushes);
+        let changed = ClosingRows::sum(&rows.rates, &pushes);
         let rates = self.at.state.rates_mut().iter_mut().zip(&changed);
         rates.for_each(|(rate, change)| *rate += change);
         self.at.state.add_sums(contact, sums);
         let (force, change) = (
-            Rows::sum(&rows.forces, &pushes),
-            Rows::sum(&rows.changes, &pushes),
+            ClosingRows::sum(&rows.forces, &pushes),
+            ClosingRows::sum(&rows.changes, &pushes),
         );
         let work = self.at.flow.impulsive_work(&force, &change);
         self.at.state.add_work(work);
@@ -202,12 +202,12 @@ impl Impulses<'_, '_> {
     /// velocities would change with it, and momentum.
     fn join(&mut self, contact: usize, least: f64) -> Result<(), Failure> {
         for _ in 0..JOINED {
-            let rows = Rows::new(self.at.flow, contact);
+            let rows = ClosingRows::new(self.at.flow, contact);
             let mut gap = vec![0.0; rows.forces.len()];
             let at = self.at.flow.equations.kinematics();
             rows.constraint.position(&at, &mut gap);
             let (moves, _) = rows.impulses(&gap, least);
-            let moved = Rows::sum(&rows.rates, &moves);
+            let moved = ClosingRows::sum(&rows.rates, &moves);
             let coordinates = self.at.state.mechanical_mut().iter_mut().zip(&moved);
             coordinates.for_each(|(coordinate, change)| *coordinate += change);
             self.at.is_answered()?;

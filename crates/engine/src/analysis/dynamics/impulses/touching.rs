@@ -47,7 +47,7 @@ pub(super) enum Along {
 }
 
 /// Which contacts push, and how much.
-pub(super) type Pushes = (Vec<bool>, Vec<f64>);
+pub(super) type ContactPushes = (Vec<bool>, Vec<f64>);
 
 impl Touching {
     /// These contacts as they are at the last evaluation.
@@ -80,7 +80,7 @@ impl Touching {
     }
 
     /// p with these ρ and b; `None` if there is no solution.
-    pub fn solve(&self, ratios: &[f64], free: &[f64]) -> Option<Pushes> {
+    pub fn solve(&self, ratios: &[f64], free: &[f64]) -> Option<ContactPushes> {
         complementary(&self.inverse_mass(ratios), free)
     }
 

@@ -12,12 +12,12 @@ use crate::mechanism::driven::Driven;
 use crate::system::System;
 
 /// A time, and whether derivatives by time are wanted there.
-type At = (f64, bool);
+type TimeOfSlopes = (f64, bool);
 /// The needed columns, where they are known.
 type Found = Option<Vec<Dual<f64>>>;
 
 /// The instants of a motion with the derivatives of the needed columns.
-struct Instants<'i, 'f, 's> {
+struct GradientInstants<'i, 'f, 's> {
     perturbed: &'i mut PerturbedSolver<'f>,
     driven: Driven<'s>,
     slopes: Slopes<'f>,
@@ -26,7 +26,7 @@ struct Instants<'i, 'f, 's> {
     derived: Vec<Vec<Derived<'i>>>,
     own: Option<Derived<'s>>,
     /// What was worked out, by time and whether its derivatives by time are there.
-    known: Vec<(At, Found)>,
+    known: Vec<(TimeOfSlopes, Found)>,
 }
 
 impl PerturbedSolver<'_> {
@@ -67,7 +67,7 @@ impl PerturbedSolver<'_> {
             needs,
             depth: needs.depth(self.track.reactions),
         };
-        let mut instants = Instants {
+        let mut instants = GradientInstants {
             derived: Around::derived(&arounds, needs),
             own: needs.derived(&system),
             driven: Driven::take_up(&system, solver),
@@ -87,10 +87,10 @@ impl PerturbedSolver<'_> {
     }
 }
 
-impl Instants<'_, '_, '_> {
+impl GradientInstants<'_, '_, '_> {
     /// The needed columns at a time, each with its derivatives by the values, and by time if that is requested; `None` if
     /// they are not known.
-    fn at(&mut self, at: At) -> Found {
+    fn at(&mut self, at: TimeOfSlopes) -> Found {
         let known = self.known.iter().find(|(own, _)| *own == at);
         if let Some((_, known)) = known {
             return known.clone();
@@ -100,9 +100,9 @@ impl Instants<'_, '_, '_> {
         found
     }
 
-    fn work_out(&mut self, (time, flows): At) -> Found {
+    fn work_out(&mut self, (time, flows): TimeOfSlopes) -> Found {
         self.place(time)?;
-        let Instants {
+        let GradientInstants {
             perturbed,
             driven,
             slopes,
@@ -126,7 +126,7 @@ impl Instants<'_, '_, '_> {
 
     /// Takes the mechanism to a time, with the factors there; its row stands in `row`.
     fn place(&mut self, time: f64) -> Option<()> {
-        let Instants {
+        let GradientInstants {
             perturbed,
             driven,
             own,

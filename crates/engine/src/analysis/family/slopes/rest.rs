@@ -17,7 +17,7 @@
 //! holds have no derivatives that are known.
 //! (Haug and Arora, Applied Optimal Design, 1979.)
 
-use super::{Along, Instant, Readers, Slopes, Stage};
+use super::{Along, Differentiated, Readers, SlopeInstant, Slopes};
 use crate::analysis::family::stencil::STEP;
 use crate::analysis::sample::Sample;
 use crate::analysis::statics;
@@ -44,7 +44,7 @@ impl Slopes<'_> {
             return None;
         }
         let sample = statics::sample(held);
-        let instant = Instant {
+        let instant = SlopeInstant {
             system: held.driven.system,
             time: held.inputs.time,
             sample: &sample,
@@ -56,7 +56,7 @@ impl Slopes<'_> {
             let tangent = held.tangent(j).iter();
             let motion = self.position.iter_mut();
             motion.zip(tangent).for_each(|(to, own)| *to = scale * own);
-            self.differentiate(Stage::Forces, &instant, &Along::Motion(STEP));
+            self.differentiate(Differentiated::Forces, &instant, &Along::Motion(STEP));
             if !self.are_forces_smooth(&instant) {
                 return None;
             }
@@ -77,15 +77,15 @@ impl Slopes<'_> {
         readers: Readers,
     ) -> Option<Vec<f64>> {
         let Equilibrium { sample, stiffness } = equilibrium;
-        let instant = Instant {
+        let instant = SlopeInstant {
             system: held.driven.system,
             time: held.inputs.time,
             sample,
         };
-        self.differentiate(Stage::Positions, &instant, along);
+        self.differentiate(Differentiated::Positions, &instant, along);
         self.solve(&mut held.driven, 1.0, |own| &mut own.position)?;
         if held.freedom() > 0 {
-            self.differentiate(Stage::Forces, &instant, along);
+            self.differentiate(Differentiated::Forces, &instant, along);
             if !self.are_forces_smooth(&instant) {
                 return None;
             }

@@ -21,16 +21,16 @@ pub(super) type ModesAndForces = (Vec<ContactMode>, Vec<[f64; 2]>);
 
 /// What is left after elimination of contacts that press.
 #[derive(Clone)]
-struct Tableau {
+struct Eliminated {
     /// A
     mass: DMatrix<f64>,
     /// u where the rest of z is zero, or z of what is eliminated.
     rest: Vec<f64>,
 }
 
-impl Tableau {
+impl Eliminated {
     /// With contact k in this mode; `None` if that is not to be eliminated.
-    fn with(&self, k: usize, mode: ContactMode, own: &DMatrix<f64>) -> Option<Tableau> {
+    fn with(&self, k: usize, mode: ContactMode, own: &DMatrix<f64>) -> Option<Eliminated> {
         let mut next = self.clone();
         let (normal, tangential) = (2 * k, 2 * k + 1);
         match mode {
@@ -106,7 +106,7 @@ impl Tableau {
 }
 
 /// On the way through the tree.
-struct Walk<'g, 'a> {
+struct TreeWalk<'g, 'a> {
     grips: &'g Grips<'a>,
     choices: Vec<Vec<ContactMode>>,
     modes: Vec<ContactMode>,
@@ -116,9 +116,9 @@ struct Walk<'g, 'a> {
     left: usize,
 }
 
-impl Walk<'_, '_> {
+impl TreeWalk<'_, '_> {
     /// The first solution, where contacts from `decided` on do what `modes` say.
-    fn below(&mut self, decided: usize, tableau: Option<&Tableau>) -> Option<ModesAndForces> {
+    fn below(&mut self, decided: usize, tableau: Option<&Eliminated>) -> Option<ModesAndForces> {
         if self.left == 0 {
             return None;
         }
@@ -153,7 +153,7 @@ impl Grips<'_> {
     pub(super) fn search(&self) -> Option<ModesAndForces> {
         let count = self.along.len();
         let free = self.free.map(largest);
-        let mut walk = Walk {
+        let mut walk = TreeWalk {
             largest: [free[0].max(free[1]), self.mass.amax()],
             grips: self,
             choices: (0..count).map(|k| self.choices(k)).collect(),
@@ -164,7 +164,7 @@ impl Grips<'_> {
             0 => self.free[0][row / 2],
             _ => -self.free[1][row / 2],
         });
-        let whole = Tableau {
+        let whole = Eliminated {
             mass: self.mass.clone(),
             rest: wanted.collect(),
         };

@@ -39,7 +39,11 @@ fn a_block_on_a_slope_by_hand() {
         } else {
             -friction * 2.0 * press * pull.signum()
         };
-        assert_eq!(modes[0] == ContactMode::Sticks, sticks, "{slope}: {modes:?}");
+        assert_eq!(
+            modes[0] == ContactMode::Sticks,
+            sticks,
+            "{slope}: {modes:?}"
+        );
         assert!((forces[0][0] - 2.0 * press).abs() < 1e-12, "{forces:?}");
         assert!((forces[0][1] - holds).abs() < 1e-12, "{forces:?}");
     }
@@ -113,7 +117,9 @@ fn what_is_found_is_coulombs_law() {
                     sticking += 1;
                     assert!(rate.abs() < size, "{rate}");
                 }
-                (ContactMode::Slips(_), Along::Slides(ratio)) => assert_eq!(tangential, ratio * normal),
+                (ContactMode::Slips(_), Along::Slides(ratio)) => {
+                    assert_eq!(tangential, ratio * normal)
+                }
                 (ContactMode::Slips(ratio), Along::Rests(_)) => {
                     assert_eq!((ratio.abs(), tangential), (friction, ratio * normal));
                     assert!(rate * ratio <= size, "{rate} {ratio}");
