@@ -33,7 +33,7 @@ const PACKAGES: [(&str, &str); 11] = [
 const AT_MOST: usize = 7;
 
 /// Whether a module is only there for tests.
-fn is_test(attributes: &[Attribute]) -> bool {
+pub fn is_test(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         let list = attribute.meta.require_list();
         attribute.path().is_ident("cfg") && list.is_ok_and(|list| list.tokens.to_string() == "test")
@@ -99,8 +99,8 @@ fn told(needs: &Needs, circle: &[&str]) -> String {
     lines.collect()
 }
 
-#[test]
-fn no_files_need_each_other() {
+/// The sources of all packages.
+pub fn parsed() -> Sources {
     let readers = PACKAGES.map(|(name, folder)| {
         (name, move |file: &str| {
             fs::read_to_string(root().join(folder).join(file)).ok()
@@ -110,7 +110,12 @@ fn no_files_need_each_other() {
         .iter()
         .map(|(name, read)| (*name, read as &super::items::File))
         .collect();
-    let needs = needs(&Sources::parse(&packages, is_test));
+    Sources::parse(&packages, is_test)
+}
+
+#[test]
+fn no_files_need_each_other() {
+    let needs = needs(&parsed());
     let found = circles(&needs);
     let told: Vec<String> = found.iter().map(|circle| told(&needs, circle)).collect();
     assert!(

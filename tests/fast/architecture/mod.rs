@@ -9,3 +9,4 @@ mod packages;
 mod pages;
 mod source;
 mod sources;
+mod type_names;
