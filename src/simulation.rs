@@ -26,7 +26,7 @@ use crate::mechanism::{Mechanism, unknown};
 ///
 /// let mechanism = Mechanism::bundled("pendulum")?;
 /// let mut pendulum = mechanism.simulation()?;
-/// let angle = pendulum.coordinate("pendulum.angle")?;
+/// let angle = pendulum.coordinate("rod.angle")?;
 /// while pendulum.time() < 1.0 {
 ///     let rate = pendulum.velocity()[angle];
 ///     pendulum.set_force(angle, -0.5 * rate);
@@ -158,7 +158,7 @@ impl Simulation {
     /// use linkdyn::prelude::*;
     ///
     /// let mut pendulum = Mechanism::bundled("pendulum")?.simulation()?;
-    /// let angle = pendulum.coordinate("pendulum.angle")?;
+    /// let angle = pendulum.coordinate("rod.angle")?;
     /// pendulum.set_law(move |_time, _q, v, force| force[angle] = -0.5 * v[angle]);
     /// pendulum.step_to(1.0)?;
     /// # Ok::<(), linkdyn::Error>(())
