@@ -23,11 +23,7 @@ pub fn rotate(joint: &mut Joint, angle: f64, carrier: Option<&str>) {
             }
             *relative_angle += relative;
         }
-        JointKind::Slot { axis, .. } => {
-            if first {
-                *axis = turned(*axis, angle);
-            }
-        }
+        JointKind::Slot { axis, .. } if first => *axis = turned(*axis, angle),
         JointKind::Gear {
             ratio, angle: mesh, ..
         } => {
@@ -48,7 +44,6 @@ pub fn rotate(joint: &mut Joint, angle: f64, carrier: Option<&str>) {
             }
             *offset = offset.map(|offset| offset - *radius * relative);
         }
-        JointKind::Belt { .. } => {}
         JointKind::Bushing(bushing) => {
             // The axes of the ground stay, and with them what yields otherwise along each.
             assert!(!first || knows_no_axes(bushing));
@@ -60,6 +55,8 @@ pub fn rotate(joint: &mut Joint, angle: f64, carrier: Option<&str>) {
         // The cams here are of moving bodies, in whose frames everything stays.
         JointKind::Cam(_) => assert!(!first && !second),
         kind @ JointKind::Contact { .. } => turn_contact(kind, [first, second], angle),
+        // As drawn.
+        _ => {}
     }
 }
 
@@ -79,11 +76,12 @@ pub fn mirror(joint: &mut Joint) {
             *axis = mirrored(*axis);
             *radius = -*radius;
         }
-        JointKind::Belt { .. } => {}
         JointKind::Bushing(bushing) => bushing.free_angle = -bushing.free_angle,
         JointKind::Fixed { angle } => *angle = -*angle,
         JointKind::Cam(cam) => mirror_cam(cam),
         kind @ JointKind::Contact { .. } => mirror_outline(kind),
+        // As drawn.
+        _ => {}
     }
 }
 
@@ -104,21 +102,15 @@ pub fn swap(joint: &mut Joint) {
             *ratio = ratio.recip();
             joint.between.reverse();
         }
-        JointKind::Prismatic { .. }
-        | JointKind::Slot { .. }
-        | JointKind::Rack { .. }
-        | JointKind::Cam(_)
-        | JointKind::Contact { .. } => {}
-        JointKind::Bushing(bushing) => {
-            if is_elastic(bushing) {
-                bushing.free_angle = -bushing.free_angle;
-                joint.between.reverse();
-            }
+        JointKind::Bushing(bushing) if is_elastic(bushing) => {
+            bushing.free_angle = -bushing.free_angle;
+            joint.between.reverse();
         }
         JointKind::Belt { radii, .. } => {
             radii.reverse();
             joint.between.reverse();
         }
+        _ => {}
     }
 }
 
@@ -129,17 +121,12 @@ pub fn swapped_signs(joint: &Joint) -> [f64; 2] {
         JointKind::Bushing(ref bushing) if is_elastic(bushing) => [-1.0, -1.0],
         // The torque is the tooth force's moment on the other wheel, at the other radius.
         JointKind::Gear { ratio, .. } => [-1.0, -ratio],
-        JointKind::Prismatic { .. }
-        | JointKind::Slot { .. }
-        | JointKind::Rack { .. }
-        | JointKind::Cam(_)
-        | JointKind::Bushing(_)
-        | JointKind::Contact { .. } => [1.0, 1.0],
         // The torque on the other pulley.
         JointKind::Belt { radii, strands, .. } => match strands {
             Strands::Open => [-1.0, -radii[0] / radii[1]],
             Strands::Crossed => [-1.0, radii[0] / radii[1]],
         },
+        _ => [1.0, 1.0],
     }
 }
 

@@ -187,6 +187,7 @@ impl Scale {
                     json!({ "type": "fixed", "between": between, "angle": angle * self.angle })
                 }
                 JointKind::Contact { .. } => self.contact(joint, &between),
+                kind => panic!("no bundled model has {}", kind.word()),
             };
             joints.insert(name.clone(), words);
         }

@@ -64,6 +64,7 @@ mod outlines;
 mod outputs;
 mod racks;
 mod responses;
+mod rolling;
 mod schema;
 mod shaking;
 mod similarity;

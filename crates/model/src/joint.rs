@@ -171,9 +171,28 @@ impl JointKind {
         matches!(self, JointKind::Revolute { .. } | JointKind::Slot { .. })
     }
 
+    /// Its `type` in a file.
+    pub fn word(&self) -> String {
+        word(self)
+    }
+
+    /// What does not belong together in it: key, message and hint.
+    pub(crate) fn conflict(&self) -> Option<[&'static str; 3]> {
+        match self {
+            JointKind::Rolling {
+                radii: [r1, r2], ..
+            } if r1 + r2 == 0.0 => Some([
+                "radii",
+                "the ring and what rolls in it are of the same size",
+                "give the ring the larger radius, as in \"radii\": [\"-60 mm\", \"20 mm\"]",
+            ]),
+            _ => None,
+        }
+    }
+
     /// Whether a file may write a key of it.
     pub(crate) fn has(&self, key: &str) -> bool {
-        let kind = words::kinds("Joint").variant(&word(self));
+        let kind = words::kinds("Joint").variant(&self.word());
         kind.is_some_and(|kind| kind.field(key).is_some())
     }
 }
@@ -232,6 +251,13 @@ pub enum JointKind {
         /// Radius of the wheel's pitch circle \[m\]; negative where the line lies to the left of the centre, looking along the axis.
         radius: f64,
         /// a·(C − R) + radius·(θ₁ − θ₂) \[m\]; left out: as drawn, that of the poses.
+        offset: Option<f64>,
+    },
+    /// A round body rolls on another, or inside a ring, about their points: in contact and without slip.
+    Rolling {
+        /// Radii of the first and the second body \[m\]; a negative one is of a ring, inside which the other rolls.
+        radii: [f64; 2],
+        /// r₁·θ₁ + r₂·θ₂ − (r₁ + r₂)·ψ \[m\], where ψ is the angle from the first point to the contact; left out: as drawn.
         offset: Option<f64>,
     },
     /// Two pulleys with a belt around them, each held at its point by other joints.

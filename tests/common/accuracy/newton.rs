@@ -92,13 +92,9 @@ impl<'m> Newton<'m> {
                 JointKind::Revolute { .. } => Kind::Revolute,
                 JointKind::Prismatic { axis, angle, .. } => Kind::Prismatic(unit(*axis), *angle),
                 JointKind::Slot { axis, .. } => Kind::Slot(unit(*axis)),
-                JointKind::Cam(_) => panic!("accuracy knows no cams"),
                 JointKind::Fixed { angle } => Kind::Fixed(*angle),
                 // Free to go.
                 JointKind::Contact { .. } => continue,
-                JointKind::Rack { .. } | JointKind::Belt { .. } | JointKind::Bushing(_) => {
-                    panic!("accuracy has none")
-                }
                 JointKind::Gear { ratio, angle, .. } => {
                     let carrier = model.carrier(name, joint).expect("a gear");
                     let carrier = carrier.expect("a carrier").body.to_owned();
@@ -118,6 +114,7 @@ impl<'m> Newton<'m> {
                         carrier,
                     }
                 }
+                kind => panic!("accuracy has no {}", kind.word()),
             };
             newton.joints.push(Joint { ends, kind });
         }

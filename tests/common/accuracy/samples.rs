@@ -145,12 +145,7 @@ fn gaps(model: &Model, pitch: &[f64], numbers: &mut Numbers) -> Gaps {
             JointKind::Gear { backlash, .. } => {
                 [0.5 * backlash.unwrap_or(0.0) / pitch * side(numbers), 0.0]
             }
-            JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => [0.0; 2],
+            _ => [0.0; 2],
         });
     let joints = joints.collect();
     let drivers = model.drivers.values();
@@ -179,15 +174,7 @@ fn pitch(model: &Model) -> Vec<f64> {
                 let ([a, b], [c, d]) = (at(0), at(1));
                 (a - c).hypot(b - d) / (1.0 - ratio)
             }
-            JointKind::Revolute { .. }
-            | JointKind::Prismatic { .. }
-            | JointKind::Slot { .. }
-            | JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Cam(_)
-            | JointKind::Rack { .. }
-            | JointKind::Belt { .. }
-            | JointKind::Bushing(_) => 1.0,
+            _ => 1.0,
         })
         .collect()
 }

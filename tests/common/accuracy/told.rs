@@ -132,18 +132,18 @@ fn meshing(model: &Model) -> Vec<String> {
 /// Whether accuracy counts all of its joints and drivers.
 pub fn is_counted(model: &Model) -> bool {
     use linkdyn_model::{DriverKind, JointKind};
-    let rolls = |kind: &JointKind| {
+    let is_counted = |kind: &JointKind| {
         matches!(
             kind,
-            JointKind::Rack { .. }
-                | JointKind::Belt { .. }
-                | JointKind::Bushing(_)
-                | JointKind::Cam(_)
-                | JointKind::Contact { .. }
+            JointKind::Revolute { .. }
+                | JointKind::Prismatic { .. }
+                | JointKind::Slot { .. }
+                | JointKind::Gear { .. }
+                | JointKind::Fixed { .. }
         )
     };
     let is_length = |kind: &DriverKind| matches!(kind, DriverKind::Length { .. });
-    !model.joints.values().any(|joint| rolls(&joint.kind))
+    model.joints.values().all(|joint| is_counted(&joint.kind))
         && !model.drivers.values().any(|driver| is_length(&driver.kind))
 }
 

@@ -205,7 +205,7 @@ line 12, column 15: bodies.rocker: inverse dynamics needs the inertia of body "r
         )],
         options: &[],
         status: 2,
-        says: r#"line 19, column 13: joints.mesh: accuracy does not count yet what is off in a rack, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+        says: r#"line 19, column 13: joints.mesh: accuracy does not count yet what is off in a joint of type "rack", and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
     },
     Case {
         edits: &[(
@@ -215,7 +215,7 @@ line 12, column 15: bodies.rocker: inverse dynamics needs the inertia of body "r
         )],
         options: &[],
         status: 2,
-        says: r#"line 19, column 13: joints.loop: accuracy does not count yet what is off in a belt, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+        says: r#"line 19, column 13: joints.loop: accuracy does not count yet what is off in a joint of type "belt", and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
     },
     Case {
         edits: &[(
@@ -225,7 +225,7 @@ line 12, column 15: bodies.rocker: inverse dynamics needs the inertia of body "r
         )],
         options: &[],
         status: 2,
-        says: r#"line 19, column 14: joints.mount: accuracy does not count yet what is off in a bushing, and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
+        says: r#"line 19, column 14: joints.mount: accuracy does not count yet what is off in a joint of type "bushing", and gives no answer that leaves it out (vary its numbers as parameters of a `study`, which runs the model with each)"#,
     },
     Case {
         edits: &[
@@ -285,7 +285,7 @@ fn mechanisms_with_cams_are_refused() {
     let asked = r#""accuracy": { "outputs": { "lift": { "column": "follower.y" } } }, "analysis":"#;
     let text = include_str!("../../../models/cam-roller.json").replace("\"analysis\":", asked);
     let (status, said) = asked_in_vain(CASES.len(), &text, &[]);
-    let expected = "joints.lobe: accuracy does not count yet what is off in a cam, and gives no answer that leaves it out (vary its numbers \
-        as parameters of a `study`, which runs the model with each)";
+    let expected = "joints.lobe: accuracy does not count yet what is off in a joint of type \"cam\", and gives no answer that leaves it out (vary its \
+        numbers as parameters of a `study`, which runs the model with each)";
     assert_eq!((status, said.contains(expected)), (2, true), "{said}");
 }

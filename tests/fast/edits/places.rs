@@ -97,7 +97,7 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
                 outline, radius, ..
             } => numbers.extend(outline.iter_mut().flatten().chain([radius])),
             JointKind::Cam(cam) => numbers.extend(cam.face.iter_mut().flatten()),
-            JointKind::Revolute { .. } => {}
+            _ => {}
         }
     }
     for driver in model.drivers.values_mut() {
@@ -203,12 +203,7 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
                 options.push(offset);
                 continue;
             }
-            JointKind::Slot { .. }
-            | JointKind::Fixed { .. }
-            | JointKind::Contact { .. }
-            | JointKind::Bushing(_) => {
-                continue;
-            }
+            _ => continue,
         };
         if let Some(friction) = friction.as_deref_mut() {
             options.extend([&mut friction.coefficient, &mut friction.static_coefficient]);

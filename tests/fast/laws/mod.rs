@@ -46,18 +46,7 @@ fn has_clearance(model: &Model) -> bool {
             clearance: Some(clearance),
             ..
         } => clearance.model != ClearanceModel::Ideal,
-        JointKind::Revolute {
-            clearance: None, ..
-        }
-        | JointKind::Prismatic { .. }
-        | JointKind::Slot { .. }
-        | JointKind::Gear { .. }
-        | JointKind::Fixed { .. }
-        | JointKind::Contact { .. }
-        | JointKind::Cam(_)
-        | JointKind::Rack { .. }
-        | JointKind::Belt { .. }
-        | JointKind::Bushing(_) => false,
+        _ => false,
     })
 }
 

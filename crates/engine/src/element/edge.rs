@@ -24,7 +24,7 @@
 
 use super::journal::Journal;
 use super::span::all_pairs;
-use super::straight::{Rolling, Straight};
+use super::straight::{RollingTip, Straight};
 use super::touch::{Compliant, Contact, ContactId, Reading};
 use super::{Applied, Constraint, Kinematics, Marker, Slope};
 use linkdyn_linear::math::Vec2;
@@ -293,7 +293,7 @@ impl Edge {
     /// The same, and no sliding.
     pub fn stuck(&self, id: ContactId) -> Arc<dyn Constraint> {
         match &self.piece {
-            Piece::Straight(straight) => Arc::new(Rolling {
+            Piece::Straight(straight) => Arc::new(RollingTip {
                 straight: straight.clone(),
                 id,
             }),
@@ -342,7 +342,7 @@ pub(super) mod tests {
     pub(in crate::element) fn held() -> Vec<Named> {
         let following: Following = disc().following();
         let sticking: Sticking = disc().sticking(ContactId(0));
-        let rolling = Rolling {
+        let rolling = RollingTip {
             straight: straight(),
             id: ContactId(0),
         };

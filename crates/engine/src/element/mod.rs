@@ -42,6 +42,7 @@ pub mod prismatic;
 pub mod quantity;
 pub mod rack;
 pub mod revolute;
+pub mod rolling;
 pub mod sliding;
 pub mod slot;
 pub(crate) mod span;

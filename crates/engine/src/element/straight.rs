@@ -191,14 +191,14 @@ impl Straight {
 
 /// A tip that rolls on a straight piece of an outline.
 #[derive(Debug, Clone)]
-pub struct Rolling {
+pub struct RollingTip {
     /// The straight.
     pub straight: Straight,
     /// Whose anchor it is.
     pub id: ContactId,
 }
 
-impl Constraint for Rolling {
+impl Constraint for RollingTip {
     fn rows(&self) -> &'static [Measure] {
         &[Measure::Length, Measure::Length]
     }

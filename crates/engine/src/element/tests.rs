@@ -49,7 +49,11 @@ pub(super) type Named = (&'static str, Box<dyn Constraint>);
 /// One of each kind. A new constraint is added below.
 pub(crate) fn all_constraints() -> Vec<Named> {
     let own = [joints(), drivers_and_initial_values()];
-    let rolling = [super::rack::tests::both(), super::belt::tests::both()];
+    let rolling = [
+        super::rack::tests::both(),
+        super::belt::tests::both(),
+        super::rolling::tests::both(),
+    ];
     let pieces = [super::edge::tests::held(), super::cam::tests::all()];
     let all = own.into_iter().chain(pieces).flatten();
     let more = rolling.into_iter().chain([super::distance::tests::both()]);

@@ -25,8 +25,6 @@ pub enum JointRole {
     },
     /// Two wheels that mesh.
     Gear,
-    /// A profile and its follower.
-    Cam,
     /// A wheel that rolls on a line of the second body.
     Rack {
         /// Direction of the line in the second body's frame, length one.
@@ -34,14 +32,14 @@ pub enum JointRole {
         /// Radius of the wheel \[m\], signed by the side on which the line lies.
         radius: f64,
     },
-    /// Two pulleys with a belt.
-    Belt,
     /// A pin in rubber.
     Bushing,
     /// Two bodies as one.
     Fixed,
     /// A tip that may touch an outline.
     Contact,
+    /// Any other kind: its constraint says all that results need.
+    Other,
 }
 
 /// What only some joints have: one that is not named here has none of it.

@@ -263,6 +263,11 @@ impl Rules<'_> {
                     "a joint connects two bodies",
                 );
             }
+            if let Some([key, message, hint]) = joint.kind.conflict()
+                && !self.holes.within(&path)
+            {
+                self.complain(format!("{path}.{key}"), message, hint);
+            }
             clearance::joint(self, joint, &path);
             stops::stops(self, joint, &path);
             outlines::outline(self, joint, &path);

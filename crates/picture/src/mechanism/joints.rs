@@ -73,6 +73,7 @@ impl Parts<'_> {
                 JointKind::Gear { gear, .. } => self.add_gear(joint, gear.as_ref()),
                 JointKind::Cam(profile) => self.add_cam(joint, profile),
                 JointKind::Rack { rack } => self.add_rack(joint, *rack, slides),
+                JointKind::Rolling { radii } => self.add_rolling(joint, *radii),
                 JointKind::Belt { belt } => self.add_belt(joint, *belt),
                 JointKind::Bushing => self.add_bushing(joint),
                 JointKind::Fixed => self.add_weld(joint),
@@ -263,6 +264,19 @@ impl Parts<'_> {
             wheel.0,
             symbols::wheel(rack.radius.abs(), false, self.bar),
         );
+    }
+
+    /// Two discs, a ring behind the disc in it.
+    fn add_rolling(&mut self, joint: &Joint, radii: [f64; 2]) {
+        let ring = usize::from(radii[1] < 0.0);
+        for k in [ring, 1 - ring] {
+            let at = joint.between[k];
+            let sign = match radii[k] < 0.0 {
+                true => symbols::plain_ring(-radii[k], self.bar),
+                false => symbols::pulley(radii[k]),
+            };
+            self.on(Layer::Wheels, at, at.0, sign);
+        }
     }
 
     /// Two pulleys with the belt around them.

@@ -170,15 +170,7 @@ impl Mechanism {
         }
         for (joint, slide) in shape.joints.iter().zip(&mut self.slides) {
             let ends = joint.between.map(|end| place(shape, pose, end));
-            let radii = match &joint.kind {
-                JointKind::Gear { gear, .. } => gear.map(|gear| gear.radii).unwrap_or_default(),
-                JointKind::Contact { radius, .. } => [0.0, *radius],
-                JointKind::Rack { rack } => [rack.radius.abs(), 0.0],
-                JointKind::Belt { belt } => belt.radii,
-                JointKind::Cam(cam) => [cam.radius(), cam.roller.or(cam.reach).unwrap_or(0.0)],
-                _ => [0.0; 2],
-            };
-            for (end, radius) in ends.into_iter().zip(radii) {
+            for (end, radius) in ends.into_iter().zip(joint.kind.radii()) {
                 self.frame.extent.add(end, radius);
             }
             // Of a rack, how far its wheel is along it.

@@ -1,6 +1,8 @@
 //! Refuses what can't be drawn: a summary may be written by anyone.
 
-use super::parts::{DriverKind, JointKind, PointId, Shape};
+use super::joint::JointKind;
+use super::numbers::PointId;
+use super::parts::{DriverKind, Shape};
 use crate::fault::Fault;
 
 /// Most parts of a kind, and points of a body, that are drawn.

@@ -5,7 +5,9 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::parts::{Body, Joint, JointKind, PitchLine, PointId, Pulleys, Shape, Spring};
+use super::joint::{Joint, JointKind, PitchLine, Pulleys};
+use super::numbers::PointId;
+use super::parts::{Body, Shape, Spring};
 use crate::fault::Fault;
 
 /// Keys of `summary.json`.
@@ -54,7 +56,8 @@ impl Shape {
         serde_json::to_value(self).unwrap_or_default()
     }
 
-    /// The shape for a page that also has a drawing: only the drawing has the corners.
+    /// The shape for a page that also has a drawing, which alone has the corners; `rims` marks joints whose points have their
+    /// names and tips from other joints.
     pub(crate) fn for_page(&self) -> Value {
         let mut shape = self.clone();
         for joint in &mut shape.joints {
@@ -65,7 +68,13 @@ impl Shape {
                 outlines.clear();
             }
         }
-        shape.to_json()
+        let mut json = shape.to_json();
+        for (k, joint) in shape.joints.iter().enumerate() {
+            if joint.kind.joins_rims() {
+                json["joints"][k]["rims"] = true.into();
+            }
+        }
+        json
     }
 
     /// What 0.1 knew of it, as `summary.json` keeps it under `drawing`.

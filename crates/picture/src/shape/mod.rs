@@ -7,18 +7,20 @@
 //! | file       | does                                                              |
 //! | ---------- | ----------------------------------------------------------------- |
 //! | `parts`    | the types                                                         |
+//! | `joint`    | what is seen of each kind of joint, and how it follows from the model |
 //! | `of_model` | model → shape                                                     |
 //! | `check`    | refuses a shape that can't be drawn                               |
 //! | `loads`    | values of the loads over time, from a table                       |
 //! | `kept`     | reads and writes the shape in `summary.json`, that of 0.1 as well |
 
 mod check;
+mod joint;
 mod kept;
 mod loads;
+mod numbers;
 mod of_model;
 mod parts;
 
-pub use parts::{
-    Body, Clearance, Driver, DriverKind, Joint, JointKind, Load, PitchCircles, PitchLine, PointId,
-    Profile, Pulleys, Shape, Spring, TorsionSpring,
-};
+pub use joint::{Clearance, Joint, JointKind, PitchCircles, PitchLine, Profile, Pulleys};
+pub use numbers::PointId;
+pub use parts::{Body, Driver, DriverKind, Load, Shape, Spring, TorsionSpring};

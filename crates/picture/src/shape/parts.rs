@@ -1,10 +1,8 @@
 //! The types of a shape. Lengths are in metres, in the frame of the body; the ground is body 0.
 
-use linkdyn_model::OneWay;
+use super::joint::{Joint, JointKind, is_not};
+use super::numbers::PointId;
 use serde::{Deserialize, Serialize};
-
-/// A body and the number of one of its points.
-pub type PointId = (usize, usize);
 
 /// All parts of a mechanism that can be drawn.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -35,137 +33,6 @@ pub struct Body {
     /// Centre of mass \[m\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub com: Option<[f64; 2]>,
-}
-
-/// A joint between two points.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Joint {
-    /// Name in the model.
-    pub name: String,
-    /// First and second point.
-    pub between: [PointId; 2],
-    /// What the joint is, with its own parameters.
-    #[serde(flatten)]
-    pub kind: JointKind,
-    /// Where its way ends, below and above [rad or m].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub limits: Option<[Option<f64>; 2]>,
-    /// The way in which it turns alone.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub one_way: Option<OneWay>,
-}
-
-/// Kinds of joints, by the words of the model file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "type", rename_all = "snake_case")]
-pub enum JointKind {
-    /// A pin.
-    Revolute {
-        /// Bearing and journal that leave an eccentricity.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        clearance: Option<Clearance>,
-    },
-    /// A block on a straight guide.
-    Prismatic {
-        /// Direction of the guide in the frame of the first body, of any length but zero.
-        axis: [f64; 2],
-    },
-    /// A pin in a straight slot.
-    Slot {
-        /// Direction of the slot in the frame of the first body, of any length but zero.
-        axis: [f64; 2],
-    },
-    /// Two wheels in mesh.
-    Gear {
-        /// Turns of the second wheel per turn of the first, seen from the carrier.
-        ratio: f64,
-        /// Pitch circles, where the carrier is known.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        gear: Option<PitchCircles>,
-    },
-    /// A cam and its follower.
-    Cam(Box<Profile>),
-    /// A wheel that rolls on a line of the second body.
-    Rack {
-        /// The line and its wheel.
-        rack: PitchLine,
-    },
-    /// Two pulleys with a belt.
-    Belt {
-        /// The pulleys.
-        belt: Pulleys,
-    },
-    /// A pin in rubber.
-    Bushing,
-    /// A weld.
-    Fixed,
-    /// A tip that may touch an outline.
-    Contact {
-        /// Points of each way of the outline in the frame of the first body, material on the left \[m\]; closed where it ends
-        /// where it began.
-        outlines: Vec<Vec<[f64; 2]>>,
-        /// Radius of the tip \[m\].
-        radius: f64,
-        /// Directions in the second body between which the tip is round \[rad\].
-        #[serde(default, skip_serializing_if = "Option::is_none")]
-        arc: Option<[f64; 2]>,
-    },
-}
-
-/// What is seen of a cam and its follower.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Profile {
-    /// Corners of the profile from the first point, in the frame of its body \[m\].
-    #[serde(default)]
-    pub outline: Vec<[f64; 2]>,
-    /// Radius of a roller about the second point \[m\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub roller: Option<f64>,
-    /// How far a flat face reaches to either side \[m\].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub reach: Option<f64>,
-    /// Direction of a flat face through the second point, in the frame of its body.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub face: Option<[f64; 2]>,
-}
-
-/// Pitch circles of two wheels in mesh.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct PitchCircles {
-    /// Radii of the first and the second wheel \[m\].
-    pub radii: [f64; 2],
-    /// Whether the smaller wheel lies in the larger one.
-    pub internal: bool,
-    /// The body on which both wheels turn.
-    pub carrier: usize,
-}
-
-/// A wheel's pitch circle, and the line of the second body on which it rolls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct PitchLine {
-    /// Direction of the line in the frame of the second body, length one.
-    pub axis: [f64; 2],
-    /// Radius of the wheel \[m\]; negative where the line lies to the left of its centre, looking along the axis.
-    pub radius: f64,
-}
-
-/// The pulleys of a belt.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Pulleys {
-    /// Radii of the first and the second one \[m\].
-    pub radii: [f64; 2],
-    /// Whether the strands cross.
-    #[serde(default, skip_serializing_if = "is_not")]
-    pub crossed: bool,
-}
-
-/// Clearance of a pin.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Clearance {
-    /// Clearance model, by the word of the model file.
-    pub model: String,
-    /// Radial clearance \[m\].
-    pub radius: f64,
 }
 
 /// A spring, damper or actuator between two points.
@@ -264,11 +131,6 @@ pub enum DriverKind {
     },
 }
 
-/// What is false is left out, as before there was the key.
-fn is_not(value: &bool) -> bool {
-    !value
-}
-
 impl Shape {
     /// Place of a point in the frame of its body \[m\].
     pub fn point(&self, (body, number): PointId) -> Option<[f64; 2]> {
@@ -295,31 +157,5 @@ impl Shape {
             profile.outline = outline;
             profile.reach = profile.face.map(|_| reach);
         }
-    }
-}
-
-impl Profile {
-    /// How far it reaches from the cam's point \[m\].
-    pub fn radius(&self) -> f64 {
-        let far = self.outline.iter().map(|[x, y]| x.hypot(*y));
-        far.fold(0.0, f64::max)
-    }
-}
-
-impl Joint {
-    /// Direction of a guide or slot in the frame of the first body, length one.
-    pub fn axis(&self) -> Option<[f64; 2]> {
-        match self.kind {
-            JointKind::Prismatic { axis: [u, v] } | JointKind::Slot { axis: [u, v] } => {
-                let length = u.hypot(v);
-                (length > 0.0).then(|| [u / length, v / length])
-            }
-            _ => None,
-        }
-    }
-
-    /// Whether one of its bodies is the ground.
-    pub fn is_on_ground(&self) -> bool {
-        self.between.iter().any(|(body, _)| *body == 0)
     }
 }

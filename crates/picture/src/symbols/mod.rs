@@ -20,4 +20,4 @@ pub use line::{BLOCK, block, centre_of_mass, slot};
 pub use marker::marker;
 pub use rack::Rack;
 pub use spring::{coil, damped_spring, dashpot, legs, round_dashpot, spring};
-pub use wheel::wheel;
+pub use wheel::{plain_ring, wheel};

@@ -65,6 +65,13 @@ pub fn wheel(radius: f64, internal: bool, bar: f64) -> Sign {
         .collect()
 }
 
+/// A ring without teeth, of that radius inside; a bar is so many metres long.
+pub fn plain_ring(radius: f64, bar: f64) -> Sign {
+    [radius, radius + RIM * bar]
+        .map(|radius| circle("wheel", Corner::default(), [radius, 0.0], None, Edge::BODY))
+        .into()
+}
+
 /// A ring with teeth inside: its area goes around outside, and back inside.
 fn ring(teeth: Vec<Corner>, outside: f64, fill: Paint) -> Sign {
     let rim = |k: usize| around(outside, TAU * k as f64 / PIECES as f64);

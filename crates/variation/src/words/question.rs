@@ -150,28 +150,25 @@ pub fn accuracy(
 /// Joints and drivers of which it is not known what their dimensions do.
 fn uncounted(model: &Model) -> Result<(), Complaint> {
     let kind = |kind: &JointKind| match kind {
-        JointKind::Rack { .. } => Some("a rack"),
-        JointKind::Belt { .. } => Some("a belt"),
-        JointKind::Bushing(_) => Some("a bushing"),
-        JointKind::Cam(_) => Some("a cam"),
         JointKind::Revolute { .. }
         | JointKind::Prismatic { .. }
         | JointKind::Slot { .. }
         | JointKind::Gear { .. }
         | JointKind::Fixed { .. }
         | JointKind::Contact { .. } => None,
+        other => Some(format!("a joint of type {:?}", other.word())),
     };
     let mut joints = model.joints.iter();
     let open = |joint: &Joint| {
         let is_open = joint.stops.active.is_some() || joint.stops.lock.is_some();
-        is_open.then_some("what closes and opens")
+        is_open.then(|| "what closes and opens".to_owned())
     };
     let found =
         joints.find_map(|(name, joint)| Some((name, kind(&joint.kind).or_else(|| open(joint))?)));
     let found = found.map(|(name, kind)| (format!("joints.{name}"), kind));
     let mut drivers = model.drivers.iter();
     let length = drivers.find(|(_, driver)| matches!(driver.kind, DriverKind::Length { .. }));
-    let length = length.map(|(name, _)| (format!("drivers.{name}"), "a driven length"));
+    let length = length.map(|(name, _)| (format!("drivers.{name}"), "a driven length".to_owned()));
     let Some((path, kind)) = found.or(length) else {
         return Ok(());
     };

@@ -20,7 +20,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""type": "prismatic", "#, "")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact", "bushing" or "fixed")"#,
+            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing" or "fixed")"#,
         ],
     },
     Case {
@@ -36,7 +36,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, r#""worm""#)],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact", "bushing" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing" or "fixed")"#,
         ],
     },
     Case {
@@ -44,7 +44,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, "7")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear", "rack", "belt", "cam", "contact", "bushing" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing" or "fixed")"#,
         ],
     },
     Case {
@@ -202,6 +202,21 @@ pub const CASES: &[Case] = &[
         ],
         complaints: &[
             r#"--set joints.g={ "type": "rack", "between": ["crank.O", "rocker.Q"…: joints.g.radius: "deg" is not a unit of length (such as "m")"#,
+        ],
+    },
+    Case {
+        what: "rolling in a ring of the same size, and of radius zero",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "rolling", "between": ["crank.O", "rocker.Q"], "radii": [20, -20] }"#,
+        )],
+        sets: &[
+            r#"joints.h={ "type": "rolling", "between": ["crank.O", "rocker.Q"], "radii": [20, 0] }"#,
+        ],
+        complaints: &[
+            r#"line 21, column 76: joints.g.radii: the ring and what rolls in it are of the same size (give the ring the larger radius, as in "radii": ["-60 mm", "20 mm"])"#,
+            r#"--set joints.h={ "type": "rolling", "between": ["crank.O", "rocker…: joints.h.radii[1]: must not be zero"#,
         ],
     },
     Case {

@@ -11,6 +11,7 @@ use crate::element::journal::{Bearing, Free, Journal};
 use crate::element::pair::{ContactId, Pair, Shape};
 use crate::element::prismatic::{Guide, Prismatic};
 use crate::element::revolute::{OffsetId, Revolute};
+use crate::element::rolling::Rolling;
 use crate::element::slot::Slot;
 use crate::element::{Constraint, ConstraintDependentForce, Marker, Measure};
 use crate::system::{
@@ -144,6 +145,16 @@ impl Compiler<'_> {
                 radius,
                 offset,
             } => (Arc::new(self.rack(points, *axis, *radius, *offset)), true),
+            JointKind::Rolling { radii, offset } => {
+                let drawn = Rolling {
+                    first,
+                    second,
+                    radii: *radii,
+                    offset: 0.0,
+                };
+                let offset = offset.unwrap_or_else(|| self.as_drawn(|at| drawn.rolled(at)));
+                (Arc::new(Rolling { offset, ..drawn }), true)
+            }
             JointKind::Bushing(given) => return Made::bushing(given, points),
             // The caller has taken belts.
             JointKind::Belt { .. } => (Arc::new(Free), true),

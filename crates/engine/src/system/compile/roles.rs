@@ -18,15 +18,14 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
             axis: unit(Vec2::from(*axis)),
         },
         JointKind::Gear { .. } => JointRole::Gear,
-        JointKind::Cam(_) => JointRole::Cam,
         JointKind::Rack { axis, radius, .. } => JointRole::Rack {
             axis: unit(Vec2::from(*axis)),
             radius: *radius,
         },
-        JointKind::Belt { .. } => JointRole::Belt,
         JointKind::Bushing(_) => JointRole::Bushing,
         JointKind::Fixed { .. } => JointRole::Fixed,
         JointKind::Contact { .. } => JointRole::Contact,
+        _ => JointRole::Other,
     }
 }
 

@@ -158,7 +158,7 @@
       });
     });
     if (!show.joints) return found;
-    mechanism.joints.forEach(({ name, type, between: [, second] }, k) => { if (!["gear", "rack", "belt"].includes(type)) put(name, at(second), `joint ${k}`, { beside: 1.5 * bar }); });
+    mechanism.joints.forEach(({ name, rims, between: [, second] }, k) => { if (!rims) put(name, at(second), `joint ${k}`, { beside: 1.5 * bar }); });
     mechanism.springs.forEach(({ name, between: ends }, k) => {
       const places = ends.map(at);
       if (places.every(Boolean)) put(name, middle(places), `spring ${k}`, { beside: 1.5 * bar });

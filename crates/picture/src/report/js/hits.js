@@ -9,11 +9,11 @@
   const length = (between, row) => { const [a, b] = between.map((end) => shapes.place(end, row)); return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : NaN; };
 
   // Things with a place: title, kind, columns to show, and those to plot.
-  const joints = mechanism.joints.map(({ name, type, between, clearance }, k) => ({
+  const joints = mechanism.joints.map(({ name, type, between, clearance, rims }) => ({
     name, kind: clearance ? `${type} with clearance` : type, at: (row) => shapes.place(between[1], row),
     columns: list(`joint.${name}`, ["angle", "omega", "slide", "rate", "f", "fx", "fy", "torque", "eccentricity", "penetration", "normal_force", "sliding_speed", "pressure_angle", "curvature"]),
-    plot: clearance ? ["f", "eccentricity"] : ["f", "torque"], owner: `joint.${name}`, hidden: ["gear", "rack", "belt"].includes(type) && k >= 0,
-  })).filter(({ hidden }) => !hidden);
+    plot: clearance ? ["f", "eccentricity"] : ["f", "torque"], owner: `joint.${name}`, rims,
+  })).filter(({ rims }) => !rims);
   const drivers = mechanism.drivers.map(({ name }) => ({ name, columns: list(`driver.${name}`, ["value", "effort"]), owner: `driver.${name}`, plot: ["effort"] }));
   const points = mechanism.points.map(([body, number]) => {
     const name = `${mechanism.bodies[body].name}.${mechanism.bodies[body].points[number][0]}`;
