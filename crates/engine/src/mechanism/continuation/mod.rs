@@ -148,7 +148,7 @@ pub fn follow(
         steps: 0,
         rejected: 0,
     };
-    let mut first = walker.node(start.0, start.1.to_vec())?.0;
+    let mut first = walker.first_node(start.0, start.1.to_vec())?;
     first.s = start.0;
     // A mechanism without moving inputs has a path of one point.
     let still = walker

@@ -82,6 +82,16 @@ impl Walker<'_, '_> {
         Ok((Node { s, q, d, dd }, correction))
     }
 
+    /// The same where a march begins: the independent rows are those of that position, wherever the solver was before.
+    ///
+    /// # Errors
+    /// See [`Failure`].
+    pub(super) fn first_node(&mut self, s: f64, q: Vec<f64>) -> Result<Node, Failure> {
+        self.set(s);
+        self.driven.prepare(&q, &self.inputs)?;
+        Ok(self.node(s, q)?.0)
+    }
+
     /// Corrects a guess at `s`, where the factors are then.
     pub(super) fn corrected(&mut self, s: f64, q: &mut [f64]) -> Result<Correction, Failure> {
         self.set(s);
@@ -135,7 +145,7 @@ impl Walker<'_, '_> {
     pub(super) fn march(&mut self, start: &Node, target: f64, direction: f64) -> (Vec<Mark>, End) {
         let mut marks = Vec::new();
         // The factors must be those of the start.
-        if self.node(start.s, start.q.clone()).is_err() {
+        if self.first_node(start.s, start.q.clone()).is_err() {
             return (marks, End::Stuck { s: start.s });
         }
         let mut march = March::new(self, start, target, direction);
