@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::joint::PointRef;
 use crate::motion::Motion;
+use crate::point::PointRef;
 
 /// A prescribed coordinate.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]

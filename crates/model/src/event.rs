@@ -11,8 +11,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Complaint;
-use crate::formula::{CompiledFormula, Formula};
-use crate::response::{Catalogue, Constant, self_contained};
+use crate::formula::Formula;
+use crate::response::{Constant, self_contained};
 
 /// An event of the motion.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
@@ -133,14 +133,6 @@ impl Event {
             parameters: self.parameters.clone(),
             table: None,
         })
-    }
-
-    /// Finds out how to evaluate it in a model.
-    ///
-    /// # Errors
-    /// What is wrong with the text, at no path.
-    pub(crate) fn compile(&self, catalogue: &Catalogue) -> Result<CompiledFormula, Complaint> {
-        self.formula()?.compile(catalogue)
     }
 
     /// With the values of parameters in the place of their names.

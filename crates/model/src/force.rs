@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::dimension::Dimension;
 use super::formula::Formula;
-use super::joint::PointRef;
 use super::motion::Motion;
+use super::point::PointRef;
 
 /// A value that may vary with time.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]

@@ -1,52 +1,15 @@
 //! Joints between two body points.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
 
 use super::bushing::Bushing;
 use super::cam::Cam;
 use super::clearance::{Clearance, Friction, ImpactSense};
 use super::event::Event;
+use super::point::PointRef;
 use super::tolerance::Play;
 use super::tree::word;
 use super::words;
-
-/// `body.point`, split.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(try_from = "String", into = "String")]
-pub struct PointRef {
-    /// The body.
-    pub body: String,
-    /// Its point.
-    pub point: String,
-}
-
-impl TryFrom<String> for PointRef {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<Self, String> {
-        match text.split_once('.') {
-            Some((body, point)) => Ok(PointRef {
-                body: body.into(),
-                point: point.into(),
-            }),
-            None => Err(format!("{text:?} is not body.point")),
-        }
-    }
-}
-
-impl From<PointRef> for String {
-    fn from(point: PointRef) -> String {
-        point.to_string()
-    }
-}
-
-impl fmt::Display for PointRef {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.{}", self.body, self.point)
-    }
-}
 
 /// A joint from the first point to the second.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]

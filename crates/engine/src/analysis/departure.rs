@@ -9,12 +9,12 @@
 //! says how bodies turn by each other on the one that is meant. The motion is not begun in the singular position, where the
 //! equations have no factors, but followed from a position of the branch away from it, back through it.
 
+mod pace;
 mod words;
 
 use super::assembly::Assembled;
 use super::branch::{DOUBTFUL, beside};
 use super::control::Stop;
-use crate::element::BodyId;
 use crate::mechanism::branching::{Branch, Singularity};
 use crate::mechanism::closing::close;
 use crate::mechanism::least_velocity::{prescribed, weights};
@@ -22,7 +22,7 @@ use crate::system::{Block, DriverId, Evaluation, Inputs, System};
 use linkdyn_linear::dense::{Dense, least_norm_solve};
 use linkdyn_linear::math::{dot, max_abs};
 use linkdyn_linear::small::{cholesky, cholesky_solve};
-use linkdyn_output::Status;
+use pace::{NEARER, Pace, RANK, failed, miss};
 use words::{arrived, off, undecided};
 
 /// Velocities that miss a branch by less than this part of the fastest lie on it: the position itself is good to the root of
@@ -30,16 +30,12 @@ use words::{arrived, off, undecided};
 const ON: f64 = 1e-5;
 /// The same of the mechanism's own rate, 1/T.
 const STILL: f64 = 1e-12;
-/// The nearest branch is meant where turns miss it by less than this part of what they miss the next one by.
-const NEARER: f64 = 0.7;
 /// Turns that a branch misses by more than this part of them do not mean it.
 const NEAR: f64 = 0.9;
 /// How far away a regular position is looked for, in rad or mechanism sizes: far enough that round-off does not matter.
 const FAR: f64 = 0.1;
 /// A position found this much off its guess, by the way to it, may be on another branch.
 const ASTRAY: f64 = 0.25;
-/// Tolerance of small systems of equations.
-const RANK: f64 = 1e-9;
 /// How a motion leaves a singular position.
 pub struct Departure {
     /// That position (n).
@@ -137,12 +133,6 @@ struct Taken {
     v: Vec<f64>,
     /// What is said of the choice, where the way from the drawing made it.
     warning: Option<String>,
-}
-
-/// Velocities on a branch (n, scaled), and by how much they miss what is prescribed, row by row (scaled).
-pub(super) struct Pace {
-    pub v: Vec<f64>,
-    pub missing: Vec<f64>,
 }
 
 /// The branch that is meant.
@@ -266,25 +256,6 @@ pub(super) fn hinted(system: &System, branches: &[Branch]) -> Result<Option<usiz
     }
 }
 
-/// By what part of them turns of bodies miss a branch.
-fn miss(system: &System, hints: &[(BodyId, f64)], branch: &Branch) -> f64 {
-    let columns = hints.iter().filter_map(|(body, turn)| {
-        let columns = system.layout.columns(*body)?;
-        Some((columns.theta(), *turn))
-    });
-    let (columns, turns): (Vec<usize>, Vec<f64>) = columns.unzip();
-    let f = branch.tangents.len();
-    let rates = columns
-        .iter()
-        .flat_map(|&column| branch.tangents.iter().map(move |t| t[column]));
-    let rates = Dense::new(columns.len(), f, rates.collect());
-    let size = dot(&turns, &turns).sqrt();
-    match least_norm_solve(&rates, &turns, RANK) {
-        Ok(found) if size > 0.0 => found.residual / size,
-        Ok(_) | Err(_) => f64::INFINITY,
-    }
-}
-
 /// A direction in which all rows, those of drivers at rest too, let the position be left on a branch of the joints.
 fn held(
     system: &System,
@@ -329,8 +300,4 @@ pub(super) fn away(
         }
         here = closed.q;
     }
-}
-
-fn failed(message: String) -> Stop {
-    Stop::failed(Status::Singular, message)
 }

@@ -3,13 +3,10 @@
 //! An expression of a response is split where it reduces: what stands in `max( … )` is worked out for each row, contact
 //! or event, the rest once at the end. Dimensions are found by the same rules as those of all expressions.
 
-use super::guess::Guess;
 use super::program::Program;
-use super::quantity::{Fault, Quantity};
+use super::quantity::Quantity;
 use super::reduction::Reduction;
-use super::results::{Place, Results};
-use super::split::Splitter;
-use super::{Expression, Misfit};
+use super::results::Place;
 use crate::response::{Fact, Item, List};
 
 /// Over what a reduction goes.
@@ -76,61 +73,10 @@ pub(super) enum From {
 pub(crate) type Constants<'a> = [(&'a str, Quantity)];
 
 impl Compiled {
-    /// Reads a response and finds its dimension.
-    pub(crate) fn read(
-        text: &str,
-        parameters: &Constants<'_>,
-        results: &dyn Results,
-        degrees: bool,
-    ) -> Result<Compiled, Misfit> {
-        let names: Vec<String> = parameters.iter().map(|one| one.0.to_owned()).collect();
-        let find = |name: &str| parameters.iter().position(|one| one.0 == name);
-        let expression = Expression::response(text, &find, &names, results)?;
-        let mut splitter = Splitter {
-            text,
-            parameters,
-            degrees,
-            reductions: Vec::new(),
-        };
-        let whole = splitter.split(&expression)?;
-        if whole.over.is_some() {
-            let said = Fault::new("this has many values: which one of them?");
-            let what = if matches!(whole.over, Some(Over::Rows)) {
-                "max( … ), mean( … ), last( … ), or at( … , driver.NAME = value)"
-            } else {
-                "max( … ), sum( … ) or count( … )"
-            };
-            return Err(Misfit {
-                at: whole.at,
-                fault: said.hint(what),
-            });
-        }
-        let total = whole.program.map(|from| match from {
-            From::Reduced(index) => Input::Reduced(index),
-            From::Place(Place::Fact(fact)) => Input::Fact(fact),
-            // a part with these has many values
-            From::Place(Place::Row(_) | Place::Item(..)) => Input::Reduced(0),
-        });
-        Ok(Compiled {
-            reductions: splitter.reductions,
-            total,
-            unit: unit(&whole.quantity),
-            quantity: whole.quantity.with_value(0.0),
-        })
-    }
-
     /// Whether it needs anything but rows: contacts, events, or numbers of the whole run.
     pub fn needs_report(&self) -> bool {
         let of_list = |reduce: &Reduce| matches!(reduce.values, Values::Item(..));
         let is_fact = |input| matches!(input, Input::Fact(_));
         self.reductions.iter().any(of_list) || self.total.inputs().any(is_fact)
-    }
-}
-
-/// The unit of a quantity; impulses are in N·s.
-fn unit(quantity: &Quantity<Guess>) -> String {
-    match quantity.unit() {
-        unit if unit == "kg*m/s" => "N*s".to_owned(),
-        unit => unit,
     }
 }

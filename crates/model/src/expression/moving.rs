@@ -3,15 +3,13 @@
 use super::compiled::Constants;
 use super::guess::Guess;
 use super::number::{Binary, Function, Number};
-use super::program::{Do, Program};
+use super::program::{DEEPEST_STACK, Do, Program};
 use super::quantity::{Fault, Outcome, Quantity, whole};
 use super::results::{Known, Place};
-use super::{Expression, Misfit, Step, apply};
+use super::steps::{Expression, Misfit, Step, apply};
 use crate::dimension::Powers;
 use crate::expression::Results;
 
-/// Numbers that the stack of a motion's expression holds at most.
-pub const DEEPEST_STACK: usize = 64;
 /// Quantities that it takes at most.
 pub const MOST_ARGUMENTS: usize = 16;
 

@@ -7,10 +7,12 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use super::dual::Dual;
-use super::moving::DEEPEST_STACK;
 use super::number::{Function, Number};
 use super::quantity::Quantity;
 use crate::dimension::Powers;
+
+/// Numbers that the stack of a motion's expression holds at most.
+pub const DEEPEST_STACK: usize = 64;
 
 /// What happens to the stack; `I` says where inputs come from.
 #[derive(Debug, Clone, Copy, PartialEq)]

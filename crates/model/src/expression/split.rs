@@ -1,14 +1,14 @@
 //! Where the text of a response is split: what is worked out row by row, and what at the end.
 
-use super::compiled::{Constants, From, Over, Reduce, Values};
+use super::compiled::{Compiled, Constants, From, Input, Over, Reduce, Values};
 use super::guess::Guess;
 use super::number::Binary;
 use super::parse::EQUATIONS;
 use super::program::{Do, Program};
 use super::quantity::{Fault, Quantity};
 use super::reduction::Reduction;
-use super::results::{Known, Place};
-use super::{Expression, Misfit, Step, apply};
+use super::results::{Known, Place, Results};
+use super::steps::{Expression, Misfit, Step, apply};
 use crate::response::Item;
 
 /// A part of the text that was worked through.
@@ -31,6 +31,59 @@ pub(super) struct Splitter<'a> {
     pub parameters: &'a Constants<'a>,
     pub degrees: bool,
     pub reductions: Vec<Reduce>,
+}
+
+impl Compiled {
+    /// Reads a response and finds its dimension.
+    pub(crate) fn read(
+        text: &str,
+        parameters: &Constants<'_>,
+        results: &dyn Results,
+        degrees: bool,
+    ) -> Result<Compiled, Misfit> {
+        let names: Vec<String> = parameters.iter().map(|one| one.0.to_owned()).collect();
+        let find = |name: &str| parameters.iter().position(|one| one.0 == name);
+        let expression = Expression::response(text, &find, &names, results)?;
+        let mut splitter = Splitter {
+            text,
+            parameters,
+            degrees,
+            reductions: Vec::new(),
+        };
+        let whole = splitter.split(&expression)?;
+        if whole.over.is_some() {
+            let said = Fault::new("this has many values: which one of them?");
+            let what = if matches!(whole.over, Some(Over::Rows)) {
+                "max( … ), mean( … ), last( … ), or at( … , driver.NAME = value)"
+            } else {
+                "max( … ), sum( … ) or count( … )"
+            };
+            return Err(Misfit {
+                at: whole.at,
+                fault: said.hint(what),
+            });
+        }
+        let total = whole.program.map(|from| match from {
+            From::Reduced(index) => Input::Reduced(index),
+            From::Place(Place::Fact(fact)) => Input::Fact(fact),
+            // a part with these has many values
+            From::Place(Place::Row(_) | Place::Item(..)) => Input::Reduced(0),
+        });
+        Ok(Compiled {
+            reductions: splitter.reductions,
+            total,
+            unit: unit(&whole.quantity),
+            quantity: whole.quantity.with_value(0.0),
+        })
+    }
+}
+
+/// The unit of a quantity; impulses are in N·s.
+fn unit(quantity: &Quantity<Guess>) -> String {
+    match quantity.unit() {
+        unit if unit == "kg*m/s" => "N*s".to_owned(),
+        unit => unit,
+    }
 }
 
 impl Splitter<'_> {

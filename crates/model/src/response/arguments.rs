@@ -4,7 +4,7 @@ use super::Catalogue;
 use super::catalogue::Load;
 use crate::dimension::{Dimension, Powers};
 use crate::formula::{Argument, Coordinate, Order};
-use crate::joint::PointRef;
+use crate::point::PointRef;
 
 const BODY: [(&str, Coordinate, Order); 6] = [
     ("x", Coordinate::X, Order::Value),

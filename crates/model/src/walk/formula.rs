@@ -5,11 +5,12 @@ use indexmap::IndexMap;
 use crate::tree::Tree;
 
 use super::{Driven, Walk};
+use crate::compiled_formula::{Arguments, misfit};
 use crate::dimension::Dimension;
 use crate::error::Complaint;
 use crate::event::{Event, Sides};
 use crate::expression::{Fault, Misfit, Moved, Quantity, is_expression};
-use crate::formula::{Arguments, Formula, misfit};
+use crate::formula::Formula;
 use crate::node::{Kind, Node};
 use crate::response::{Catalogue, Constant};
 use crate::shape::Measure;

@@ -1,7 +1,7 @@
 //! Why a mechanism does not assemble, or by which way it does.
 
-use super::ClosedPosition;
 use super::beside::close_from_beside;
+use super::closed_position::ClosedPosition;
 use super::determined::over_driven;
 use super::mobility::topology;
 use super::overlap;

@@ -1,7 +1,7 @@
 //! Where the way to the start begins: the drawing with its joints closed and, where that is a singular position, a branch of it.
 
 use super::ranks::start_row;
-use super::way::Values;
+use super::values::Values;
 use crate::analysis::branch::turns;
 use crate::analysis::departure::{away, hinted, pace};
 use crate::analysis::in_line::singular_text;

@@ -1,6 +1,6 @@
 //! What is said of the way from the drawing to the start.
 
-use super::way::Values;
+use super::values::Values;
 use crate::analysis::in_line::{singular_text, stressed_rows};
 use crate::element::Constraint;
 use crate::mechanism::continuation::SingularPosition;

@@ -1,5 +1,6 @@
 //! Degrees of freedom, counted and by rank.
 
+use super::assembled::Assembled;
 use super::beside::nearby_guess;
 use super::ranks::ranks;
 use crate::graph::Topology;
@@ -60,5 +61,17 @@ fn joint_of(system: &System, row: usize) -> Option<usize> {
     match system.block_of_row(row).origin {
         Origin::Joint(id) => Some(id.0),
         Origin::Driver(_) | Origin::Stop(_) | Origin::Initial(_) => None,
+    }
+}
+
+/// The same position with the ranks and the mobility of another system of the same bodies.
+pub fn ranked(system: &System, assembled: Assembled, inputs: &Inputs) -> Assembled {
+    let (joints, all) = ranks(system, &assembled.q, inputs);
+    let mobility = mobility(system, &joints);
+    Assembled {
+        joints,
+        all,
+        mobility,
+        ..assembled
     }
 }

@@ -2,6 +2,7 @@
 
 mod assembled;
 mod beside;
+mod closed_position;
 mod determined;
 mod diagnosis;
 mod drawing;
@@ -11,25 +12,26 @@ mod messages;
 mod mobility;
 mod overlap;
 mod ranks;
+mod values;
 mod velocities;
 mod way;
 
 pub use assembled::Assembled;
 pub use determined::check_driven;
 pub use limits::too_short;
-pub use mobility::{counted, topology};
+pub use mobility::{counted, ranked, topology};
 pub use ranks::ranks;
 pub(super) use ranks::tangent;
 pub use velocities::{velocities, velocities_near};
 
 use super::control::Stop;
-use crate::element::Axis;
-use crate::mechanism::closing::{Closed, close, close_proven};
+use crate::mechanism::closing::{Closed, close_proven};
 use crate::system::{Block, Inputs, System};
+use closed_position::ClosedPosition;
 use diagnosis::diagnose;
 use limits::{beyond_numbers, too_steep};
 use mobility::mobility;
-use way::{PathEnd, Reached, from_drawing};
+use way::{PathEnd, from_drawing};
 
 /// Assembles at `inputs` by moving there from the drawing (see the module `way`); with `initial` values exact.
 ///
@@ -77,48 +79,6 @@ pub fn assemble(system: &System, inputs: &Inputs) -> Result<Assembled, Stop> {
     })
 }
 
-/// A position that meets everything.
-struct ClosedPosition {
-    q: Vec<f64>,
-    iterations: u64,
-    arrival: Option<Vec<f64>>,
-    warnings: Vec<String>,
-}
-
-impl ClosedPosition {
-    /// One of which there is nothing to say.
-    fn alone(closed: Closed) -> Self {
-        ClosedPosition {
-            q: closed.q,
-            iterations: closed.iterations,
-            arrival: None,
-            warnings: Vec::new(),
-        }
-    }
-
-    /// One that is reached from the drawing; `None` if it does not meet initial values that could not lead the way.
-    fn reached(system: &System, inputs: &Inputs, reached: Reached, before: u64) -> Option<Self> {
-        let all: Vec<&Block> = system.blocks.iter().chain(&system.initial).collect();
-        let closed = close(system, &all, &reached.q, inputs);
-        closed.converged.then(|| {
-            let mut q = closed.q;
-            // Met to round-off; exact they are what the file says.
-            for start in &system.starts {
-                let column = system.layout.column(start.origin.body, start.axis);
-                if let (Axis::Theta, Some(column)) = (start.axis, column) {
-                    q[column] = start.value;
-                }
-            }
-            ClosedPosition {
-                q,
-                iterations: before + closed.iterations,
-                arrival: reached.arrival,
-                warnings: reached.warnings,
-            }
-        })
-    }
-}
-
 /// The assembly that Newton's iteration found, or the one that is reached from the drawing where that is another.
 fn settle(system: &System, inputs: &Inputs, closed: Closed) -> ClosedPosition {
     match from_drawing(system, inputs, Some(&closed.q)) {
@@ -139,17 +99,5 @@ fn settle(system: &System, inputs: &Inputs, closed: Closed) -> ClosedPosition {
                 ..ClosedPosition::alone(closed)
             })
         }
-    }
-}
-
-/// The same position with the ranks and the mobility of another system of the same bodies.
-pub fn ranked(system: &System, assembled: Assembled, inputs: &Inputs) -> Assembled {
-    let (joints, all) = ranks(system, &assembled.q, inputs);
-    let mobility = mobility(system, &joints);
-    Assembled {
-        joints,
-        all,
-        mobility,
-        ..assembled
     }
 }

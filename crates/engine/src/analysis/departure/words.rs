@@ -1,6 +1,6 @@
 //! What is said of singular starts that nothing decides, or that velocities contradict.
 
-use super::{NEARER, Pace, failed, miss};
+use super::pace::{NEARER, Pace, failed, miss};
 use crate::analysis::branch::turns;
 use crate::analysis::control::Stop;
 use crate::analysis::words::listed;

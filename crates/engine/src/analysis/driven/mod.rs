@@ -4,6 +4,7 @@ mod between;
 mod bridge;
 mod outputs;
 mod passages;
+mod paths;
 mod words;
 
 use super::assembly::{Assembled, assemble, check_driven, ranked};
@@ -13,8 +14,7 @@ use super::departure::{self, Departure};
 use super::ends;
 use super::instants::Instants;
 use super::sample::Sample;
-use crate::element::Measure;
-use crate::mechanism::continuation::{HALF_TURN, Parameter, Path, follow};
+use crate::mechanism::continuation::{Parameter, Path};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Inputs, JointData, System};
 pub(super) use between::Between;
@@ -22,6 +22,7 @@ use linkdyn_model::error::Complaint;
 use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
 use outputs::Outputs;
 pub use passages::{passages, range};
+pub use paths::path;
 
 /// The settings of a prescribed motion.
 #[derive(Debug, Clone, Copy)]
@@ -167,44 +168,6 @@ pub fn refuse(system: &System, reactions: bool, at_events: bool) -> Result<(), S
         ])),
         None => Ok(()),
     }
-}
-
-/// The path over `range`: of a crank that goes round more than once and comes back, one turn stands for all.
-pub fn path(
-    driven: &mut Driven,
-    start: (f64, &[f64]),
-    range: (f64, f64),
-    control: &Control,
-) -> Result<Path, Failure> {
-    let system = driven.system;
-    let parameter = Parameter::of(system);
-    let half_way = |s: f64, (low, high): (f64, f64)| {
-        // up first, then down
-        let covered = if s >= start.0 { s - start.0 } else { high - s };
-        control.progress.note(0.5 * covered, high - low);
-        control.stop().is_some()
-    };
-    let turns = parameter == Parameter::DriverValue && system.drivers[0].measure == Measure::Angle;
-    if turns && range.1 - range.0 > 4.0 * HALF_TURN {
-        let around = (start.0 - HALF_TURN, start.0 + HALF_TURN);
-        let mut path = follow(
-            driven,
-            (parameter, Inputs::still(system)),
-            start,
-            around,
-            &|s| half_way(s, around),
-        )?;
-        if path.close_turn(system, start.0) {
-            return Ok(path);
-        }
-    }
-    follow(
-        driven,
-        (parameter, Inputs::still(system)),
-        start,
-        range,
-        &|s| half_way(s, range),
-    )
 }
 
 /// Kept for the six-bar benchmark: solves one instant, all reactions, without output.

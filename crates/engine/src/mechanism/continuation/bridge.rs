@@ -1,8 +1,8 @@
 //! Change points: located by a test function through regular points, bridged by an osculating polynomial.
 
+use super::parameter::{Parameter, SingularKind, SingularPosition};
 use super::path::{Path, Window};
 use super::walk::Walker;
-use super::{Parameter, SingularKind, SingularPosition};
 use linkdyn_linear::hermite::{Node, Osculating, interpolate};
 
 /// Half width of the window around a change point, in steps of the path there.

@@ -1,6 +1,6 @@
 //! Where the parameter turns back: the root of ds/dp along the direction in which the position runs off.
 
-use super::Parameter;
+use super::parameter::Parameter;
 use super::walk::Walker;
 use linkdyn_linear::hermite::Node;
 use linkdyn_linear::lu::SparseLu;

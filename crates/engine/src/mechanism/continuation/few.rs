@@ -8,16 +8,14 @@
 //! stand for all: at its ends the nodes around a gap are those of the other end, a turn on.
 
 use super::path::Path;
-use super::turn::Turn;
+use super::six::{Moved, Turn, WIDE, around, osculate_six};
 use crate::system::System;
-use linkdyn_linear::hermite::{Node, Osculating, osculate_abreast};
+use linkdyn_linear::hermite::{Node, Osculating};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// Coordinates from which on nodes are left out: those of a turn take a megabyte, more than stays near a processor.
 const LARGE: usize = 1000;
-/// Nodes around a gap that tell what is in it.
-pub(super) const WIDE: usize = 6;
 /// Width of gaps that is tried first, by the parameter's unit.
 const GAP: f64 = 1.05;
 /// Rounds in which gaps are halved, before all nodes of a gap are taken back.
@@ -113,44 +111,6 @@ fn median(values: &[f64]) -> f64 {
     let mut finite: Vec<f64> = finite.collect();
     finite.sort_unstable_by(f64::total_cmp);
     finite.get(finite.len() / 2).copied().unwrap_or(0.0)
-}
-
-/// A node by its place in a list, and how many turns on from its own place it counts.
-pub(super) type Moved = (usize, i32);
-
-/// The six nodes around the gap before node `k` of `count`. At the ends they are those of the end; where the list comes round, those of
-/// the other end.
-pub(super) fn around(k: usize, count: usize, comes_round: bool) -> [Moved; WIDE] {
-    if comes_round {
-        let (first, count) = (k as i32 - WIDE as i32 / 2, count as i32);
-        let place = |j| first + j as i32;
-        return std::array::from_fn(|j| {
-            let (index, turns) = (place(j).rem_euclid(count), place(j).div_euclid(count));
-            (index as usize, turns)
-        });
-    }
-    let first = k.saturating_sub(WIDE / 2).min(count - WIDE);
-    std::array::from_fn(|j| (first + j, 0))
-}
-
-/// The polynomial through six nodes, of a path that repeats itself where there is a turn.
-pub(super) fn osculate_six(
-    nodes: &[Node],
-    six: [Moved; WIDE],
-    turn: Option<&Turn>,
-    s: f64,
-    [q, d, dd]: [&mut [f64]; 3],
-) {
-    let turns = six.map(|(_, turns)| f64::from(turns));
-    let own = six.map(|(index, _)| &nodes[index]);
-    let at = std::array::from_fn(|j| own[j].s + turns[j] * TAU);
-    let grown = osculate_abreast(own, (at, turns), s, [&mut *q, &mut *d, &mut *dd]);
-    if let Some(turn) = turn
-        && turns != [0.0; WIDE]
-    {
-        let each = [q, d, dd].into_iter().zip(grown);
-        each.for_each(|(to, grown)| turn.add(grown, to));
-    }
 }
 
 /// A gap: its first node, and the nodes around it.

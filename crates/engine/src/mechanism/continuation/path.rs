@@ -1,8 +1,7 @@
 //! What was followed: nodes, windows around change points, and the turn that repeats itself.
 
-use super::few::{WIDE, around, osculate_six};
-use super::turn::Turn;
-use super::{End, Parameter, SingularPosition};
+use super::parameter::{End, Parameter, SingularPosition};
+use super::six::{Turn, WIDE, around, osculate_six};
 use linkdyn_linear::hermite::{Node, Osculating, osculate, quintic};
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicUsize;

@@ -1,7 +1,8 @@
 //! The turn that a path repeats.
 
-use super::Parameter;
+use super::parameter::Parameter;
 use super::path::Path;
+use super::six::Turn;
 use crate::system::System;
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -12,30 +13,6 @@ pub const HALF_TURN: f64 = 1.05 * std::f64::consts::PI;
 const CLOSES: f64 = 1e-7;
 /// Nodes on each side of a gap that tell what is in it.
 const AROUND: usize = 2;
-
-/// The turn that stands for all.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Turn {
-    /// Its middle [rad].
-    pub centre: f64,
-    /// Columns of what turns with it, and by how many turns.
-    pub wheels: Vec<(u32, i32)>,
-}
-
-impl Turn {
-    /// What a turn adds: columns and angles.
-    fn shifts(&self) -> impl Iterator<Item = (usize, f64)> {
-        let wheels = self.wheels.iter();
-        wheels.map(|&(column, turns)| (column as usize, f64::from(turns) * TAU))
-    }
-
-    /// Adds so many turns.
-    pub(super) fn add(&self, turns: f64, q: &mut [f64]) {
-        for (column, shift) in self.shifts() {
-            q[column] += turns * shift;
-        }
-    }
-}
 
 impl Path {
     /// Takes the stretch of a turn around `centre` for all turns, if the parameter is an angle that comes round: after a

@@ -1,7 +1,7 @@
 //! The march from node to node.
 
 use super::super::driven::{Correction, Driven, Failure};
-use super::{End, Parameter};
+use super::parameter::{End, Parameter};
 use crate::system::Inputs;
 use linkdyn_linear::hermite::{Node, osculate, quintic};
 

@@ -1,10 +1,9 @@
 //! Position, velocity and acceleration at one point of the motion.
 
-use super::Reduced;
 use super::inertia::Inertia;
 use super::place::{Given, Placed, PositionSource};
+use super::{Reduced, wants_factors};
 use crate::mechanism::driven::{Failure, LAST_STEP};
-use crate::system::System;
 
 /// Contraction of Newton above which a point is refused: its branch is not certain.
 const CONTRACTION: f64 = 0.35;
@@ -12,11 +11,6 @@ const CONTRACTION: f64 = 0.35;
 const FARTHEST: f64 = 0.3;
 /// Factors of a position this near to the solution are those of the solution [rad or sizes].
 const ROUND_OFF: f64 = 1e-13;
-
-/// Whether every point is wanted with the equations' factors: contacts and friction ask for multipliers there.
-pub(super) fn wants_factors(system: &System) -> bool {
-    !(system.contacts.is_empty() && system.dependent_forces.is_empty())
-}
 
 impl Reduced<'_> {
     /// q, v, a at (t, (u, u̇)).

@@ -30,6 +30,7 @@ mod curve;
 mod curves;
 mod evaluate;
 mod extrapolation;
+mod implicit;
 mod inertia;
 mod keep;
 mod multipliers;
@@ -38,6 +39,7 @@ mod place;
 mod profile;
 mod saddle;
 mod sequence;
+mod sequenced;
 mod sparse;
 mod stages;
 mod straight;
@@ -56,7 +58,6 @@ use accepted::Accepted;
 use chart::Chart;
 use curve::CoordinateCurve;
 pub use curves::ChangePoint;
-use evaluate::wants_factors;
 use extrapolation::Extrapolation;
 use inertia::Inertia;
 pub use inertia::Solver;
@@ -386,6 +387,11 @@ impl<'s> Reduced<'s> {
     pub fn accelerations(&self) -> &[f64] {
         &self.accelerations
     }
+}
+
+/// Whether every point is wanted with the equations' factors: contacts and friction ask for multipliers there.
+fn wants_factors(system: &System) -> bool {
+    !(system.contacts.is_empty() && system.dependent_forces.is_empty())
 }
 
 /// Whether the positions of a mechanism with so many degrees of freedom are a curve of one coordinate.

@@ -15,10 +15,7 @@
 //! belongs to the choice of rows and independent coordinates. Loops, rails that turn, and lengths that are given have no such order
 //! and go the general way.
 
-use super::Reduced;
-use super::inertia::Inertia;
-use super::place::Placed;
-use crate::mechanism::driven::{Driven, Failure};
+use crate::mechanism::driven::Driven;
 use crate::system::Inputs;
 
 /// More rounds than these cost as much as Newton's iterations.
@@ -103,7 +100,7 @@ impl Sequence {
     }
 
     /// Brings the independent coordinates to their values and the others onto the constraints.
-    fn place(&mut self, driven: &mut Driven, inputs: &Inputs, q: &mut [f64]) {
+    pub fn place(&mut self, driven: &mut Driven, inputs: &Inputs, q: &mut [f64]) {
         for coordinate in &driven.independent {
             q[coordinate.column] = coordinate.jet[0];
         }
@@ -130,7 +127,7 @@ impl Sequence {
     }
 
     /// v (n) at the position and the Jacobian last taken, where the independent coordinates have their rates.
-    fn velocity(&mut self, driven: &mut Driven, inputs: &Inputs, v: &mut [f64]) {
+    pub fn velocity(&mut self, driven: &mut Driven, inputs: &Inputs, v: &mut [f64]) {
         for coordinate in &driven.independent {
             v[coordinate.column] = coordinate.jet[1];
         }
@@ -307,38 +304,5 @@ impl Order {
         });
         self.known[column as usize] = Some(round);
         Some(column)
-    }
-}
-
-impl Reduced<'_> {
-    /// Looks for an order of the choice at hand, at the position of the last Jacobian. Of few coordinates tangents are at hand, and
-    /// where there is a bridge rows change on the way.
-    pub(super) fn find_sequence(&mut self) {
-        let order = match self.inertia {
-            Inertia::Sparse(_) if self.chart.bridge().is_none() => Sequence::of(&self.driven),
-            Inertia::Sparse(_) | Inertia::Tangents(_) => None,
-        };
-        self.sequence = order.map(Box::new);
-    }
-
-    /// q and v where the independent coordinates have these values and rates, and the factors where they are wanted; whether the others
-    /// follow one after the other.
-    pub(super) fn solve_in_sequence(&mut self, u: &[f64], rates: &[f64]) -> Result<bool, Failure> {
-        let Some(sequence) = self.sequence.as_mut().filter(|own| own.is_of(&self.driven)) else {
-            return Ok(false);
-        };
-        let (driven, inputs) = (&mut self.driven, &self.inputs);
-        driven.give(u, rates);
-        self.q.copy_from_slice(&self.accepted.here.q);
-        sequence.place(driven, inputs, &mut self.q);
-        if self.with_factors {
-            driven.refresh(inputs)?;
-            self.placed = Placed::Close;
-        } else {
-            driven.evaluation.eval_jacobian(driven.system, inputs);
-            self.placed = Placed::InSequence;
-        }
-        sequence.velocity(driven, inputs, &mut self.v);
-        Ok(true)
     }
 }

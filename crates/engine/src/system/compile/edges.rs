@@ -1,13 +1,10 @@
 //! Outlines and the tips that may touch them.
 
 use super::Compiler;
-use super::contact_parameters::compared;
-use crate::contact::impact::Sense;
-use crate::contact::{friction, normal};
 use crate::element::edge::{Edge, End, Piece, Sector};
 use crate::element::enclosure::Enclosure;
 use crate::element::journal::Journal;
-use crate::element::pair::{Compliant, ContactId, Pair, Rigid, Shape, Surface};
+use crate::element::pair::{ContactId, Pair, Shape, Surface};
 use crate::element::straight::Straight;
 use crate::element::{BodyId, Marker};
 use crate::system::{ContactRows, JointId, Owner};
@@ -359,24 +356,4 @@ fn ways(corners: &[Corner]) -> Vec<OutlinePiece> {
     pairs
         .map(|pair| OutlinePiece::between(pair[0].0, pair[1].0, pair[1].1))
         .collect()
-}
-
-/// What an outline and a tip are made of; friction as it stands in the file.
-pub(super) fn surface(joint: &Joint, friction: friction::Law, coefficient: f64) -> Surface {
-    let stops = &joint.stops;
-    match stops.stiffness {
-        Some(stiffness) => Surface::Compliant(Compliant {
-            normal: normal::Law::KelvinVoigt {
-                stiffness,
-                damping: stops.damping.unwrap_or(0.0),
-            },
-            friction,
-        }),
-        None => Surface::Rigid(Rigid {
-            restitution: stops.restitution.unwrap_or(0.0),
-            friction: coefficient,
-            sense: stops.sense.map_or(Sense::Kinematic, compared),
-            latch: None,
-        }),
-    }
 }

@@ -1,5 +1,6 @@
 //! Words → numbers: the only place where a [`Model`] and a [`System`] meet.
 
+mod cam_curves;
 mod cams;
 mod contact_parameters;
 mod drivers;

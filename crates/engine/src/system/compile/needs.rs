@@ -1,12 +1,12 @@
 //! What joints and analyses need beyond the words of a joint itself, and the complaints where it is not there.
 
-use super::cams::touches;
-use super::contact_parameters::{Words, friction_law, need};
-use super::edges;
+use super::cam_curves::touches;
+use super::contact_parameters::{Words, compared, friction_law, need};
+use crate::contact::impact::Sense;
 use crate::contact::{friction, normal};
 use crate::element::cam::Touch;
 use crate::element::journal::Bearing;
-use crate::element::pair::{Compliant, Surface};
+use crate::element::pair::{Compliant, Rigid, Surface};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{
     AnalysisKind, Carrier, ClearanceModel, FrictionLaw, GROUND, Joint, JointKind, Model,
@@ -84,7 +84,7 @@ fn of_outline(name: &str, joint: &Joint) -> Option<Result<Surface, Complaint>> {
     };
     let path = format!("joints.{name}");
     let Some(words) = friction.as_deref() else {
-        return Some(Ok(edges::surface(joint, friction::Law::None, 0.0)));
+        return Some(Ok(outline_surface(joint, friction::Law::None, 0.0)));
     };
     let coefficient = match words.law {
         FrictionLaw::None => Ok(0.0),
@@ -98,7 +98,7 @@ fn of_outline(name: &str, joint: &Joint) -> Option<Result<Surface, Complaint>> {
         Some(_) => friction_law(words, &path),
     };
     let both = law.and_then(|law| Ok((law, coefficient?)));
-    Some(both.map(|(law, coefficient)| edges::surface(joint, law, coefficient)))
+    Some(both.map(|(law, coefficient)| outline_surface(joint, law, coefficient)))
 }
 
 /// Friction laws of ideal joints.
@@ -224,4 +224,24 @@ fn carriers<'a>(
         }
     }
     carriers
+}
+
+/// What an outline and a tip are made of; friction as it stands in the file.
+fn outline_surface(joint: &Joint, friction: friction::Law, coefficient: f64) -> Surface {
+    let stops = &joint.stops;
+    match stops.stiffness {
+        Some(stiffness) => Surface::Compliant(Compliant {
+            normal: normal::Law::KelvinVoigt {
+                stiffness,
+                damping: stops.damping.unwrap_or(0.0),
+            },
+            friction,
+        }),
+        None => Surface::Rigid(Rigid {
+            restitution: stops.restitution.unwrap_or(0.0),
+            friction: coefficient,
+            sense: stops.sense.map_or(Sense::Kinematic, compared),
+            latch: None,
+        }),
+    }
 }

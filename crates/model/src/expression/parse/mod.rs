@@ -9,10 +9,13 @@ use super::function::PI;
 use super::number::{Binary, FUNCTIONS, Function, Unary};
 use super::program::Do;
 use super::quantity::{Fault, Quantity};
-use super::{Known, LONGEST, Misfit, Results, Step};
+use super::results::{Known, Results};
+use super::steps::{Expression, Misfit, Step};
 use crate::suggest;
-use number::is_unit;
+use crate::units::Unit;
 
+/// Longest text of an expression in characters.
+const LONGEST: usize = 4096;
 /// Deepest nesting of brackets, calls and exponents.
 const DEEPEST: usize = 64;
 
@@ -34,6 +37,39 @@ pub(super) struct Parser<'a> {
 
 fn is_name(c: char) -> bool {
     c.is_alphanumeric() || c == '_' || c == '°'
+}
+
+/// Whether this is the symbol of a unit, perhaps with ² or ³ behind it.
+fn is_unit(word: &str) -> bool {
+    !word.starts_with('1') && Unit::parse(word.trim_end_matches(['²', '³'])).is_ok()
+}
+
+impl Expression {
+    /// Reads a text that begins with `=`; `find` knows the names of parameters, `names` are all of them for hints.
+    ///
+    /// # Errors
+    /// The first fault, with its place.
+    pub fn parse<'a>(
+        text: &'a str,
+        find: &'a dyn Fn(&str) -> Option<usize>,
+        names: &'a [String],
+    ) -> Result<Expression, Misfit> {
+        Parser::new(text, find, names).read().map(Expression)
+    }
+
+    /// Reads the text of a response, which may name results, too.
+    ///
+    /// # Errors
+    /// The first fault, with its place.
+    pub fn response<'a>(
+        text: &'a str,
+        find: &'a dyn Fn(&str) -> Option<usize>,
+        names: &'a [String],
+        results: &'a dyn Results,
+    ) -> Result<Expression, Misfit> {
+        let parser = Parser::new(text, find, names);
+        parser.with_results(results).read().map(Expression)
+    }
 }
 
 impl<'a> Parser<'a> {

@@ -1,9 +1,9 @@
 //! Numbers in expressions, and the units behind them.
 
-use super::super::Misfit;
 use super::super::program::Do;
 use super::super::quantity::{Fault, Quantity};
-use super::{Parser, Read, fault, is_name};
+use super::super::steps::Misfit;
+use super::{Parser, Read, fault, is_name, is_unit};
 use crate::units::{Unit, UnitFault, split_quantity};
 
 impl Parser<'_> {
@@ -138,11 +138,6 @@ impl Parser<'_> {
         self.results
             .is_some_and(|results| results.find(word).is_some())
     }
-}
-
-/// Whether this is the symbol of a unit, perhaps with ² or ³ behind it.
-pub fn is_unit(word: &str) -> bool {
-    !word.starts_with('1') && Unit::parse(word.trim_end_matches(['²', '³'])).is_ok()
 }
 
 fn two_meanings(word: &str) -> Fault {

@@ -10,7 +10,9 @@ use super::super::function::PI;
 use super::super::number::FUNCTIONS;
 use super::super::program::Do;
 use super::super::quantity::{Fault, Quantity};
-use super::super::{Misfit, Reduction, Results, Step};
+use super::super::reduction::Reduction;
+use super::super::results::Results;
+use super::super::steps::{Misfit, Step};
 use super::{Parser, Read, check_count, fault, is_function, is_name};
 
 /// Where an equation may stand.

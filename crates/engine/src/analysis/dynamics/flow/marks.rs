@@ -1,16 +1,7 @@
 //! The guards at the evaluations of the last step.
 
-use super::Flow;
-use super::formulas::sample_sides;
-use crate::analysis::dynamics::modes::{GONE, creep};
-use crate::element::pair::{Phase, Reading, Surface};
-
 /// Evaluations remembered: those of one step of any method are among them.
 const REMEMBERED: usize = 24;
-/// Penetration, in parts of the mechanism, that round-off may make.
-const GRAZE: f64 = 1e-12;
-/// What places are rounded by, in parts of the mechanism.
-const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 
 /// What of a guard makes no event: a rate that is not above this, and a change of its value that is not.
 #[derive(Debug, Clone, Copy, Default)]
@@ -137,71 +128,4 @@ pub struct Mark<'a> {
     pub samples: &'a [Sample],
     /// The levels of the arguments of all formulas.
     pub levels: &'a [[f64; 2]],
-}
-
-impl<'s> Flow<'s> {
-    /// A step begins.
-    pub fn begin_step(&mut self) {
-        self.marks.begin_step();
-    }
-
-    /// The evaluations of the last step, from one time to another, the last one first.
-    pub fn evaluations(&self, from: f64, to: f64) -> impl Iterator<Item = Mark<'_>> {
-        self.marks.of_step(from, to)
-    }
-
-    /// The largest of all guards at the point of the last evaluation, and a sample of each: of contacts, formulas and cams.
-    pub fn sample(&self, samples: &mut [Sample]) -> f64 {
-        let (contacts, others) = samples.split_at_mut(self.sustained.len());
-        let mut largest = sample_sides(&self.equations, others);
-        for (contact, sample) in contacts.iter_mut().enumerate() {
-            let reading = self.reading(contact);
-            let guard = self.guard(contact, &reading);
-            *sample = self.sample_contact(contact, &reading, guard);
-            largest = largest.max(guard);
-        }
-        largest
-    }
-
-    /// A contact with this reading and guard. One that touches has no sample.
-    pub(super) fn sample_contact(&self, contact: usize, reading: &Reading, guard: f64) -> Sample {
-        let system = self.system();
-        let pair = &system.contacts[contact];
-        match self.memories()[contact].phase {
-            _ if guard == f64::NEG_INFINITY => Sample::never(),
-            Phase::Flight if pair.is_one_way() || pair.is_timed() => Sample::never(),
-            Phase::Flight => {
-                let level = pair.level(&self.equations.kinematics(), reading);
-                let graze = GRAZE * system.scale.length;
-                Sample {
-                    value: level.value - graze,
-                    rate: level.rate,
-                    rooms: level.rooms.map(|room| room + GONE * pair.size() - graze),
-                }
-            }
-            Phase::Behind => Sample::of(guard),
-            Phase::Contact | Phase::Released => Sample::never(),
-        }
-    }
-
-    /// What of a guard makes no event.
-    pub fn least(&self, guard: usize) -> Least {
-        let system = self.system();
-        let Some(pair) = system.contacts.get(guard) else {
-            return Least::default();
-        };
-        Least {
-            rate: match (self.memories()[guard].phase, &pair.surface) {
-                (Phase::Flight, Surface::Rigid(_)) => creep(&system.scale),
-                (Phase::Flight, Surface::Compliant(_)) => f64::NEG_INFINITY,
-                _ => 0.0,
-            },
-            change: ROUND_OFF * system.scale.length.max(pair.size()),
-        }
-    }
-
-    /// Whether an evaluation within (from, to] has passed an event.
-    pub fn has_passed(&self, from: f64, to: f64) -> bool {
-        self.marks.has_passed(from, to)
-    }
 }

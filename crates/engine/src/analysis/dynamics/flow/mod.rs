@@ -2,6 +2,8 @@
 //! (see [`super::state`] for y).
 
 mod formulas;
+mod grip;
+mod guards;
 mod implicit;
 mod marks;
 mod sustained;
@@ -17,9 +19,9 @@ use crate::mechanism::phases::Phases;
 use crate::mechanism::reduced::Reduced;
 use crate::system::System;
 use formulas::{levels, sample_sides};
+use grip::{Grip, Sustained};
 use marks::Marks;
 pub use marks::{Least, Mark, Sample};
-use sustained::{Grip, Sustained};
 
 /// Components of a ledger that is short.
 const SHORT: usize = 64;
