@@ -7,30 +7,21 @@
 //!
 //! Values live apart, as a plain slice in the same order, so that one pattern serves every step of a run.
 
+use sprs::{CsMatI, CsStructureI};
 use thiserror::Error;
 
-/// Compressed column pattern, indices of 32 bits: half the traffic of `usize` in the inner loops.
+/// Compressed columns without values, indices of 32 bits: half the traffic of `usize` in the inner loops.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Pattern {
-    rows: usize,
-    start: Vec<u32>,
-    row: Vec<u32>,
-}
+pub struct Pattern(CsStructureI<u32>);
 
 /// What is wrong with a pattern.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum PatternFault {
-    /// Column starts that are no partition.
-    #[error("column starts must run from 0 to the number of entries without falling")]
-    Starts,
-    /// Rows out of order or range.
-    #[error("column {column}: rows must increase strictly and stay below {rows}")]
-    Rows {
-        /// The first such column.
-        column: usize,
-        /// Rows of the pattern.
-        rows: usize,
-    },
+    /// Column starts that are no partition, or rows out of order or range.
+    #[error(
+        "columns must partition the entries, and their rows increase strictly and stay below the number of rows"
+    )]
+    Structure,
     /// Indices of 32 bits are not enough.
     #[error("more than 2^32 - 2 rows, columns or entries")]
     TooLarge,
@@ -46,20 +37,10 @@ impl Pattern {
         if rows > limit || start.len() > limit || row.len() > limit {
             return Err(PatternFault::TooLarge);
         }
-        let ends_meet =
-            start.first() == Some(&0) && start.last().map(|&end| end as usize) == Some(row.len());
-        if !ends_meet || start.windows(2).any(|pair| pair[0] > pair[1]) {
-            return Err(PatternFault::Starts);
-        }
-        let pattern = Pattern { rows, start, row };
-        for column in 0..pattern.columns() {
-            let rows_here = pattern.column(column);
-            let sorted = rows_here.windows(2).all(|pair| pair[0] < pair[1]);
-            if !sorted || rows_here.last().is_some_and(|&last| last as usize >= rows) {
-                return Err(PatternFault::Rows { column, rows });
-            }
-        }
-        Ok(pattern)
+        let columns = start.len().checked_sub(1).ok_or(PatternFault::Structure)?;
+        let nothing = vec![(); row.len()];
+        let structure = CsStructureI::try_new_csc((rows, columns), start, row, nothing);
+        structure.map(Pattern).map_err(|_| PatternFault::Structure)
     }
 
     /// Builds the pattern from (row, column) pairs in any order, repeats welcome; the second result is, for each pair,
@@ -76,11 +57,11 @@ impl Pattern {
         if rows > limit || columns > limit || entries.len() > limit {
             return Err(PatternFault::TooLarge);
         }
-        if let Some(&(_, column)) = entries
+        if entries
             .iter()
-            .find(|&&(row, column)| row >= rows || column >= columns)
+            .any(|&(row, column)| row >= rows || column >= columns)
         {
-            return Err(PatternFault::Rows { column, rows });
+            return Err(PatternFault::Structure);
         }
 
         // Sort by column, then row; equal neighbours share a slot.
@@ -105,80 +86,65 @@ impl Pattern {
         for column in 0..columns {
             start[column + 1] += start[column];
         }
-        Ok((Pattern { rows, start, row }, slot))
+        Ok((Pattern::new(rows, start, row)?, slot))
     }
 
     /// Number of rows.
     pub fn rows(&self) -> usize {
-        self.rows
+        self.0.rows()
     }
 
     /// Number of columns.
     pub fn columns(&self) -> usize {
-        self.start.len() - 1
+        self.0.cols()
     }
 
     /// Number of entries.
     pub fn entries(&self) -> usize {
-        self.row.len()
+        self.0.nnz()
     }
 
     /// Rows of one column.
     pub fn column(&self, column: usize) -> &[u32] {
-        &self.row[self.span(column)]
+        &self.0.indices()[self.span(column)]
     }
 
     /// Slots of one column's values.
     pub(crate) fn span(&self, column: usize) -> std::ops::Range<usize> {
-        self.start[column] as usize..self.start[column + 1] as usize
+        let start = self.0.indptr();
+        let start = start.raw_storage();
+        start[column] as usize..start[column + 1] as usize
     }
 
     /// Slot of the entry at (`row`, `column`), where there is one.
     pub(crate) fn slot(&self, row: usize, column: usize) -> Option<usize> {
         let row = u32::try_from(row).ok()?;
         let within = self.column(column).binary_search(&row).ok()?;
-        Some(self.start[column] as usize + within)
+        Some(self.span(column).start + within)
     }
 
     /// The pattern of the transpose, and for each of its entries the slot here.
     pub(crate) fn transposed(&self) -> (Pattern, Vec<u32>) {
-        let mut start = vec![0u32; self.rows + 1];
-        for &row in &self.row {
-            start[row as usize + 1] += 1;
-        }
-        for row in 0..self.rows {
-            start[row + 1] += start[row];
-        }
-        let mut next = start.clone();
-        let mut row = vec![0u32; self.entries()];
-        let mut slot = vec![0u32; self.entries()];
-        for column in 0..self.columns() {
-            for here in self.span(column) {
-                let there = &mut next[self.row[here] as usize];
-                row[*there as usize] = column as u32;
-                slot[*there as usize] = here as u32;
-                *there += 1;
-            }
-        }
-        (
-            Pattern {
-                rows: self.columns(),
-                start,
-                row,
-            },
-            slot,
-        )
+        let start = self.0.indptr().raw_storage().to_vec();
+        let slots = (0..self.entries() as u32).collect();
+        let own = CsMatI::new_csc(self.0.shape(), start, self.0.indices().to_vec(), slots);
+        // Rows of a matrix are columns of its transpose.
+        let (start, columns, slots) = own.to_csr().into_raw_storage();
+        let nothing = vec![(); columns.len()];
+        let shape = (self.columns(), self.rows());
+        let transpose = CsStructureI::new_csc(shape, start, columns, nothing);
+        (Pattern(transpose), slots)
     }
 
     /// result −= A x.
     pub(crate) fn subtract_product(&self, values: &[f64], x: &[f64], result: &mut [f64]) {
         assert_eq!(
             (values.len(), x.len(), result.len()),
-            (self.entries(), self.columns(), self.rows)
+            (self.entries(), self.columns(), self.rows())
         );
         for (column, &factor) in x.iter().enumerate() {
             let span = self.span(column);
-            for (&row, value) in self.row[span.clone()].iter().zip(&values[span]) {
+            for (&row, value) in self.0.indices()[span.clone()].iter().zip(&values[span]) {
                 result[row as usize] -= value * factor;
             }
         }
@@ -193,11 +159,11 @@ impl Pattern {
     ) {
         assert_eq!(
             (values.len(), x.len(), result.len()),
-            (self.entries(), self.rows, self.columns())
+            (self.entries(), self.rows(), self.columns())
         );
         for (column, target) in result.iter_mut().enumerate() {
             let span = self.span(column);
-            let dot: f64 = self.row[span.clone()]
+            let dot: f64 = self.0.indices()[span.clone()]
                 .iter()
                 .zip(&values[span])
                 .map(|(&row, value)| value * x[row as usize])
@@ -239,17 +205,20 @@ mod tests {
     fn faults_are_told() {
         assert_eq!(
             Pattern::new(2, vec![0, 2], vec![1, 1]),
-            Err(PatternFault::Rows { column: 0, rows: 2 })
+            Err(PatternFault::Structure)
         );
         assert_eq!(
             Pattern::new(2, vec![0, 1], vec![2]),
-            Err(PatternFault::Rows { column: 0, rows: 2 })
+            Err(PatternFault::Structure)
         );
         assert_eq!(
             Pattern::new(2, vec![0, 2, 1], vec![0]),
-            Err(PatternFault::Starts)
+            Err(PatternFault::Structure)
         );
-        assert_eq!(Pattern::new(2, vec![], vec![]), Err(PatternFault::Starts));
+        assert_eq!(
+            Pattern::new(2, vec![], vec![]),
+            Err(PatternFault::Structure)
+        );
         assert!(Pattern::from_entries(1, 1, &[(1, 0)]).is_err());
     }
 
