@@ -12,7 +12,7 @@ pub const CASES: &[Case] = &[
         )],
         sets: &[],
         complaints: &[
-            r#"line 21, column 10: joints.g: "radii" is missing (of both pulleys, as in "radii": ["30 mm", "60 mm"])"#,
+            r#"line 21, column 10: joints.g: "radii" is missing (of both bodies, as in "radii": ["30 mm", "60 mm"])"#,
         ],
     },
     Case {
