@@ -37,10 +37,10 @@ impl Cut {
         if values.len() < FEW {
             return None;
         }
-        values.sort_unstable_by(f64::total_cmp);
         let last = values.len() - 1;
         let tail = (TAIL * last as f64) as usize;
-        let [least, low, high, most] = [0, tail, last - tail, last].map(|rank| values[rank]);
+        let mut ranked = |rank: usize| *values.select_nth_unstable_by(rank, f64::total_cmp).1;
+        let [least, low, high, most] = [0, tail, last - tail, last].map(&mut ranked);
         let height = high - low;
         if height.is_nan() || height <= ROUND_OFF * least.abs().max(most.abs()) {
             return None;
