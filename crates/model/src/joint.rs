@@ -142,13 +142,16 @@ impl JointKind {
     /// What does not belong together in it: key, message and hint.
     pub(crate) fn conflict(&self) -> Option<[&'static str; 3]> {
         match self {
-            JointKind::Rolling {
-                radii: [r1, r2], ..
-            } if r1 + r2 == 0.0 => Some([
-                "radii",
-                "the ring and what rolls in it are of the same size",
-                "give the ring the larger radius, as in \"radii\": [\"-60 mm\", \"20 mm\"]",
-            ]),
+            // The larger one is that of a ring, and the other one is not.
+            JointKind::Rolling { radii, .. } => {
+                let [least, most] = [radii[0].min(radii[1]), radii[0].max(radii[1])];
+                let fits = least > 0.0 || (most > 0.0 && -least > most);
+                (!fits).then_some([
+                    "radii",
+                    "a ring goes around what rolls in it: its negative radius is the larger one, and the other one is positive",
+                    "as in \"radii\": [\"-60 mm\", \"20 mm\"]",
+                ])
+            }
             _ => None,
         }
     }

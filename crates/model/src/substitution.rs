@@ -19,7 +19,8 @@ use crate::tree::Tree;
 use crate::walk::recorded;
 use crate::{Model, Parameter};
 
-/// Places of numbers on which there is no rule but one on their sign: of others only reading can tell what is wrong.
+/// Places of numbers on which there is no rule but one on their sign, and what a joint says of its own (`conflict`): of others only
+/// reading can tell what is wrong.
 const KNOWN: [&str; 22] = [
     "gravity.*",
     "bodies.*.mass",
@@ -107,7 +108,11 @@ impl Component {
         match self.map.as_str() {
             "gravity" => set(Some(&mut model.gravity), tree),
             "bodies" => set(model.bodies.get_mut(&self.name), tree),
-            "joints" => set(model.joints.get_mut(&self.name), tree),
+            "joints" => {
+                set(model.joints.get_mut(&self.name), tree)?;
+                let fits = model.joints[&self.name].kind.conflict().is_none();
+                fits.then_some(())
+            }
             "drivers" => set(model.drivers.get_mut(&self.name), tree),
             "forces" => set(model.forces.get_mut(&self.name), tree),
             "tables" => set(model.tables.get_mut(&self.name), tree),

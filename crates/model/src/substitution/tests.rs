@@ -112,6 +112,21 @@ fn points_change_their_side() {
     );
 }
 
+/// Numbers that keep their signs may still not belong together: then reading says so.
+#[test]
+fn a_joint_whose_numbers_do_not_fit_is_read() {
+    let text = r#"{ "format": "linkdyn/1", "units": "SI", "parameters": { "r": -0.08 },
+        "bodies": { "ground": { "points": { "O": [0, 0] } }, "disc": { "points": { "C": [0, 0] } } },
+        "joints": { "ring": { "type": "rolling", "between": ["ground.O", "disc.C"], "radii": ["=r*1 m", 0.02] } } }"#;
+    let (substitution, loaded) = of(text, &["r"]).expect("numbers alone");
+    let mut place = substitution.begin();
+    for r in [-0.08, -0.02, -0.01, -0.03] {
+        let read = loaded.source.with_parameters(&[("r", r)]).ok();
+        assert_eq!(read.is_some(), r < -0.02, "{r}");
+        assert_eq!(substitution.put(&[r], &mut place), read.as_ref(), "{r}");
+    }
+}
+
 #[test]
 fn places_that_are_not_known_mean_reading() {
     let table = r#"{ "format": "linkdyn/1", "units": "SI", "parameters": { "l": "5 mm" },

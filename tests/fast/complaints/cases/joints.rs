@@ -205,18 +205,22 @@ pub const CASES: &[Case] = &[
         ],
     },
     Case {
-        what: "rolling in a ring of the same size, and of radius zero",
+        what: "rolling in a ring of the same size and in a smaller one, ring on ring, and of radius zero",
         edits: &[(
             r#""axis": [1, 0] }"#,
             r#""axis": [1, 0] },
     "g": { "type": "rolling", "between": ["crank.O", "rocker.Q"], "radii": [20, -20] }"#,
         )],
         sets: &[
+            r#"joints.i={ "type": "rolling", "between": ["crank.O", "rocker.Q"], "radii": [-80, -20] }"#,
+            r#"joints.k={ "type": "rolling", "between": ["crank.O", "rocker.Q"], "radii": [80, -20] }"#,
             r#"joints.h={ "type": "rolling", "between": ["crank.O", "rocker.Q"], "radii": [20, 0] }"#,
         ],
         complaints: &[
-            r#"line 21, column 76: joints.g.radii: the ring and what rolls in it are of the same size (give the ring the larger radius, as in "radii": ["-60 mm", "20 mm"])"#,
+            r#"line 21, column 76: joints.g.radii: a ring goes around what rolls in it: its negative radius is the larger one, and the other one is positive (as in "radii": ["-60 mm", "20 mm"])"#,
             r#"--set joints.h={ "type": "rolling", "between": ["crank.O", "rocker…: joints.h.radii[1]: must not be zero"#,
+            r#"--set joints.i={ "type": "rolling", "between": ["crank.O", "rocker…: joints.i.radii: a ring goes around what rolls in it: its negative radius is the larger one, and the other one is positive (as in "radii": ["-60 mm", "20 mm"])"#,
+            r#"--set joints.k={ "type": "rolling", "between": ["crank.O", "rocker…: joints.k.radii: a ring goes around what rolls in it: its negative radius is the larger one, and the other one is positive (as in "radii": ["-60 mm", "20 mm"])"#,
         ],
     },
     Case {
