@@ -81,6 +81,16 @@ pub fn model(bodies: Value, joints: Value, drivers: Value) -> Value {
             "drivers": drivers, "analysis": { "type": "inverse_dynamics", "end": 1.0, "outputs": 101 } })
 }
 
+/// Fails, and says by how much, where a number is not near the one that is known.
+#[track_caller]
+pub fn close(ours: f64, known: f64, tolerance: f64) {
+    let off = (ours - known).abs();
+    assert!(
+        off <= tolerance,
+        "{ours} instead of {known}, off by {off:e}"
+    );
+}
+
 pub fn loaded(model: &Value) -> Loaded {
     load(model.to_string().as_bytes(), &[]).unwrap_or_else(|complaints| panic!("{complaints:?}"))
 }

@@ -11,15 +11,6 @@ const ROUND_OFF: f64 = 1e-13;
 /// Of tensions, as a part of them.
 const FORCE: f64 = 1e-12;
 
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    let off = (ours - known).abs();
-    assert!(
-        off <= tolerance,
-        "{ours} instead of {known}, off by {off:e}"
-    );
-}
-
 fn pulley(position: [f64; 2], angle: f64, inertia: f64) -> Value {
     json!({ "mass": 1.5, "inertia": inertia, "com": [0.0, 0.0], "points": { "C": [0.0, 0.0] },
             "pose": { "position": position, "angle": angle } })

@@ -11,15 +11,6 @@ const STIFFNESS: [f64; 2] = [5000.0, 800.0];
 const DAMPING: [f64; 2] = [12.0, 30.0];
 const TORSION: f64 = 40.0;
 
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    let off = (ours - known).abs();
-    assert!(
-        off <= tolerance,
-        "{ours} instead of {known}, off by {off:e}"
-    );
-}
-
 /// A block on a bushing at its centre of mass; the ground is the first body, so that its axes stay.
 fn block(words: &Value) -> Value {
     let mut bushing = json!({ "type": "bushing", "between": ["ground.O", "block.C"],

@@ -15,15 +15,6 @@ fn from_bundle(name: &str) -> Value {
     serde_json::from_str(bundled::find(name).expect("a bundled model").text).expect("JSON")
 }
 
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    assert!(
-        (ours - known).abs() <= tolerance,
-        "{ours} instead of {known}, off by {:e}",
-        ours - known
-    );
-}
-
 /// A wheel about its centre of mass, with a few named points.
 fn wheel(position: [f64; 2], angle: f64) -> Value {
     json!({ "mass": 2.0, "inertia": 0.03, "com": [0.0, 0.0], "points": { "C": [0.0, 0.0] },

@@ -5,15 +5,6 @@ use linkdyn_engine::analysis::{Control, run};
 use linkdyn_output::Status;
 use serde_json::{Value, json};
 
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    let off = (ours - known).abs();
-    assert!(
-        off <= tolerance,
-        "{ours} instead of {known}, off by {off:e}"
-    );
-}
-
 const G: f64 = 9.81;
 const MASS: f64 = 60.0;
 const INERTIA: f64 = 15.0;

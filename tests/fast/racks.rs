@@ -11,15 +11,6 @@ const FORCE: f64 = 1e-11;
 const MASS: f64 = 2.0;
 const INERTIA: f64 = 0.03;
 
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    let off = (ours - known).abs();
-    assert!(
-        off <= tolerance,
-        "{ours} instead of {known}, off by {off:e}"
-    );
-}
-
 fn body(position: [f64; 2], angle: f64) -> Value {
     json!({ "mass": MASS, "inertia": INERTIA, "com": [0.0, 0.0], "points": { "C": [0.0, 0.0] },
             "pose": { "position": position, "angle": angle } })

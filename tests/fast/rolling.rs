@@ -8,15 +8,6 @@ use serde_json::{Value, json};
 const MASS: f64 = 2.0;
 const INERTIA: f64 = 0.03;
 
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    let off = (ours - known).abs();
-    assert!(
-        off <= tolerance,
-        "{ours} instead of {known}, off by {off:e}"
-    );
-}
-
 fn body(position: [f64; 2], angle: f64) -> Value {
     json!({ "mass": MASS, "inertia": INERTIA, "com": [0.0, 0.0], "points": { "C": [0.0, 0.0], "P": [0.1, 0.0] },
             "pose": { "position": position, "angle": angle } })

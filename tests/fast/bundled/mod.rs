@@ -7,6 +7,7 @@ mod motions;
 mod walking;
 
 use crate::benchmarks;
+use crate::mechanisms::close;
 use crate::models::{checked, load_bundled, solve, values};
 use linkdyn_engine::analysis::{Control, Outcome, modes};
 use linkdyn_model::bundled;
@@ -15,15 +16,6 @@ use std::f64::consts::{FRAC_PI_6, PI, SQRT_2, TAU};
 
 /// A few ulps of the sizes that occur (0.1 … 1 m, some rad), through a solution of some ten equations.
 const ROUND_OFF: f64 = 1e-13;
-
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    assert!(
-        (ours - known).abs() <= tolerance,
-        "{ours} instead of {known}, off by {:e}",
-        ours - known
-    );
-}
 
 #[test]
 fn every_model_runs_and_tells_about_itself() {

@@ -12,15 +12,6 @@ const G: f64 = 9.81;
 
 const SINGULAR: &str = "the start is a singular position";
 
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    assert!(
-        (ours - known).abs() <= tolerance,
-        "{ours} instead of {known}, off by {:e}",
-        ours - known
-    );
-}
-
 fn still(mut model: Value) -> Value {
     model["drivers"] = json!({});
     model["analysis"] = json!({ "type": "statics" });

@@ -11,15 +11,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 const G: f64 = 9.81;
 
-#[track_caller]
-fn close(ours: f64, known: f64, tolerance: f64) {
-    assert!(
-        (ours - known).abs() <= tolerance,
-        "{ours} instead of {known}, off by {:e}",
-        ours - known
-    );
-}
-
 /// A model for statics.
 fn statics(bodies: Value, joints: Value, forces: Value) -> Value {
     let mut model = model(bodies, joints, json!({}));
