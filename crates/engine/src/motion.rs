@@ -27,7 +27,7 @@ pub use spline::Spline;
 use std::f64::consts::{PI, TAU};
 
 /// Value, first and second derivative.
-pub type Jet = [f64; 3];
+pub type Jet<T = f64> = [T; 3];
 
 /// A compiled law of time (or, for a path, of its parameter).
 #[derive(Debug, Clone, PartialEq)]

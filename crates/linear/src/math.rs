@@ -1,11 +1,27 @@
-//! Plane vectors.
+//! Numbers and plane vectors.
+
+use nalgebra::SimdRealField;
+
+/// A number, or several side by side.
+pub trait Real: SimdRealField<Element = f64, SimdBool: Copy> + Copy {}
+
+impl<T: SimdRealField<Element = f64, SimdBool: Copy> + Copy> Real for T {}
+
+/// Numbers of several mechanisms side by side.
+pub use simba::simd::WideF64x4 as Lanes;
+
+/// How many there are.
+pub const WIDTH: usize = 4;
 
 /// A plane vector (2).
-pub type Vec2 = nalgebra::Vector2<f64>;
+pub type Vector<T> = nalgebra::Vector2<T>;
+
+/// The same of one mechanism.
+pub type Vec2 = Vector<f64>;
 
 /// The vector turned by +90°.
-pub fn perp(a: Vec2) -> Vec2 {
-    Vec2::new(-a.y, a.x)
+pub fn perp<T: Real>(a: Vector<T>) -> Vector<T> {
+    Vector::new(-a.y, a.x)
 }
 
 /// The vector by its length, also where the squares of its components overflow or vanish.

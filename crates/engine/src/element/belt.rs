@@ -28,7 +28,9 @@
 //! flexible elements; the form is ours.)
 
 use super::span::{BOTH, Span, all_pairs, both_bodies, upper_pairs};
-use super::{Applied, BodyId, Constraint, Entry, Force, Kinematics, Marker, Measure, Slope};
+use super::{
+    Applied, BodyId, Constraint, Entry, Equations, Force, Kinematics, Marker, Measure, Slope,
+};
 use linkdyn_linear::math::{Vec2, perp};
 
 /// cos β where pulleys overlap, whose belt has no strands: tensions stay finite there [–].
@@ -222,16 +224,7 @@ impl Belt {
     }
 }
 
-impl Constraint for Belt {
-    fn rows(&self) -> &'static [Measure] {
-        &[Measure::Length]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let both = both_bodies(&self.first, &self.second).into_iter();
-        both.map(|(body, axis)| (0, body, axis)).collect()
-    }
-
+impl Equations for Belt {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = self.turned(at) - self.offset;
     }
@@ -248,6 +241,17 @@ impl Constraint for Belt {
         let (slopes, v) = (self.slopes_of_turned(at), self.velocities(at));
         let square: f64 = (0..BOTH).map(|k| v[k] * slopes.turn(k, &v)).sum();
         gamma[0] = -square;
+    }
+}
+
+impl Constraint for Belt {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let both = both_bodies(&self.first, &self.second).into_iter();
+        both.map(|(body, axis)| (0, body, axis)).collect()
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {

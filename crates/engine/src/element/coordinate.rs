@@ -7,7 +7,7 @@
 //! with f of a driver that leads it from where it is drawn, if there is one.
 
 use super::driven::DriveId;
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
+use super::{Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope};
 use crate::motion::Jet;
 use linkdyn_linear::math::Vec2;
 
@@ -42,22 +42,7 @@ impl Coordinate {
     }
 }
 
-impl Constraint for Coordinate {
-    fn rows(&self) -> &'static [Measure] {
-        match self.axis {
-            Axis::X | Axis::Y => &[Measure::Length],
-            Axis::Theta => &[Measure::Angle],
-        }
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let body: BodyId = self.origin.body;
-        match self.axis {
-            Axis::X | Axis::Y => vec![(0, body, self.axis), (0, body, Axis::Theta)],
-            Axis::Theta => vec![(0, body, Axis::Theta)],
-        }
-    }
-
+impl Equations for Coordinate {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = self.off(at) + self.driven(at)[0];
     }
@@ -82,6 +67,23 @@ impl Constraint for Coordinate {
             Axis::Y => turn.y,
             Axis::Theta => 0.0,
         } - self.driven(at)[2];
+    }
+}
+
+impl Constraint for Coordinate {
+    fn rows(&self) -> &'static [Measure] {
+        match self.axis {
+            Axis::X | Axis::Y => &[Measure::Length],
+            Axis::Theta => &[Measure::Angle],
+        }
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let body: BodyId = self.origin.body;
+        match self.axis {
+            Axis::X | Axis::Y => vec![(0, body, self.axis), (0, body, Axis::Theta)],
+            Axis::Theta => vec![(0, body, Axis::Theta)],
+        }
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {

@@ -10,25 +10,64 @@
 
 use super::driven::DriveId;
 use super::span::{BOTH, Span, both_bodies, upper_pairs};
-use super::{Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
-use linkdyn_linear::math::{Vec2, perp};
+use super::{Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast};
+use linkdyn_linear::math::{Real, Vec2, Vector, perp};
 
 /// Two points whose distance is driven.
 #[derive(Debug, Clone)]
-pub struct Distance {
+pub struct Distance<T = f64> {
     /// One end.
-    pub first: Marker,
+    pub first: Marker<T>,
     /// The other end.
-    pub second: Marker,
+    pub second: Marker<T>,
     /// The driver.
     pub drive: DriveId,
 }
 
-impl Distance {
+impl<T: Real> Distance<T> {
+    /// The same with what `number` makes of its numbers.
+    pub(crate) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Distance<U> {
+        Distance {
+            first: self.first.map(number),
+            second: self.second.map(number),
+            drive: self.drive,
+        }
+    }
+
     /// e and ℓ; any direction where the points coincide, so that an assembly can part them.
-    fn line(&self, at: &Kinematics) -> (Vec2, f64) {
+    fn line(&self, at: &Kinematics<T>) -> (Vector<T>, T) {
         let d = self.second.place(at) - self.first.place(at);
-        direction(d).unwrap_or((Vec2::x(), f64::MIN_POSITIVE))
+        let (length, least) = (d.norm(), T::splat(f64::MIN_POSITIVE));
+        let is_apart = length.simd_gt(least);
+        let e = Vector::new(
+            (d.x / length).select(is_apart, T::one()),
+            (d.y / length).select(is_apart, T::zero()),
+        );
+        (e, length.select(is_apart, least))
+    }
+}
+
+impl<T: Real> Equations<T> for Distance<T> {
+    fn position(&self, at: &Kinematics<T>, phi: &mut [T]) {
+        phi[0] = at.drive[self.drive.0][0] - self.line(at).1;
+    }
+
+    fn jacobian(&self, at: &Kinematics<T>, values: &mut [T]) {
+        let (e, _) = self.line(at);
+        let turn = |marker: &Marker<T>| e.dot(&perp(marker.rho(at)));
+        let (first, second) = (turn(&self.first), turn(&self.second));
+        values.copy_from_slice(&[e.x, e.y, first, -e.x, -e.y, -second]);
+    }
+
+    fn rate(&self, at: &Kinematics<T>, phi_t: &mut [T]) {
+        phi_t[0] = at.drive[self.drive.0][1];
+    }
+
+    fn gamma(&self, at: &Kinematics<T>, gamma: &mut [T]) {
+        let (e, length) = self.line(at);
+        let across = perp(e).dot(&(self.second.velocity(at) - self.first.velocity(at)));
+        let turn = self.second.centripetal(at) - self.first.centripetal(at);
+        gamma[0] = e.dot(&turn) + across * across / length - at.drive[self.drive.0][2];
     }
 }
 
@@ -40,29 +79,6 @@ impl Constraint for Distance {
     fn entries(&self) -> Vec<Entry> {
         let both = both_bodies(&self.first, &self.second).into_iter();
         both.map(|(body, axis)| (0, body, axis)).collect()
-    }
-
-    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        phi[0] = at.drive[self.drive.0][0] - self.line(at).1;
-    }
-
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
-        let (e, _) = self.line(at);
-        let span = Span::at(at, &self.first, &self.second);
-        for (column, value) in values.iter_mut().enumerate() {
-            *value = -e.dot(&span.spread(column));
-        }
-    }
-
-    fn rate(&self, at: &Kinematics, phi_t: &mut [f64]) {
-        phi_t[0] = at.drive[self.drive.0][1];
-    }
-
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
-        let (e, length) = self.line(at);
-        let across = perp(e).dot(&(self.second.velocity(at) - self.first.velocity(at)));
-        let turn = self.second.centripetal(at) - self.first.centripetal(at);
-        gamma[0] = e.dot(&turn) + across * across / length - at.drive[self.drive.0][2];
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
@@ -82,6 +98,8 @@ impl Constraint for Distance {
             }
         }
     }
+
+    abreast!();
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.line(at).0 * lambda[0], 0.0)

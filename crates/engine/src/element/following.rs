@@ -6,7 +6,9 @@
 use super::journal::Journal;
 use super::span::{BOTH, Span, all_pairs};
 use super::touch::ContactId;
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
+use super::{
+    Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, direction,
+};
 use linkdyn_linear::math::{Vec2, perp};
 use std::f64::consts::{PI, TAU};
 
@@ -91,24 +93,7 @@ impl Following {
     }
 }
 
-impl Constraint for Following {
-    fn rows(&self) -> &'static [Measure] {
-        &[Measure::Length]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        [self.bearing.body, self.journal.body]
-            .into_iter()
-            .flat_map(|body| {
-                [
-                    (0, body, Axis::X),
-                    (0, body, Axis::Y),
-                    (0, body, Axis::Theta),
-                ]
-            })
-            .collect()
-    }
-
+impl Equations for Following {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = self.normal(at).1 - self.clearance;
     }
@@ -135,6 +120,25 @@ impl Constraint for Following {
         let across = perp(n).dot(&(self.journal.velocity(at) - self.bearing.velocity(at)));
         let along = n.dot(&(self.journal.centripetal(at) - self.bearing.centripetal(at)));
         gamma[0] = -along - across * across / distance;
+    }
+}
+
+impl Constraint for Following {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        [self.bearing.body, self.journal.body]
+            .into_iter()
+            .flat_map(|body| {
+                [
+                    (0, body, Axis::X),
+                    (0, body, Axis::Y),
+                    (0, body, Axis::Theta),
+                ]
+            })
+            .collect()
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
@@ -189,17 +193,7 @@ impl Sticking {
     }
 }
 
-impl Constraint for Sticking {
-    fn rows(&self) -> &'static [Measure] {
-        &[Measure::Length, Measure::Length]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let first = self.following.entries();
-        let second = first.iter().map(|&(_, body, axis)| (1, body, axis));
-        first.iter().copied().chain(second).collect()
-    }
-
+impl Equations for Sticking {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let c = self.following.clearance;
         self.following.position(at, &mut phi[..1]);
@@ -239,6 +233,18 @@ impl Constraint for Sticking {
         let along = t.dot(&(journal.centripetal(at) - bearing.centripetal(at)));
         let turning = 2.0 * t.dot(&e_rate) * n.dot(&e_rate) / distance;
         gamma[1] = clearance / distance * (along - turning);
+    }
+}
+
+impl Constraint for Sticking {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length, Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let first = self.following.entries();
+        let second = first.iter().map(|&(_, body, axis)| (1, body, axis));
+        first.iter().copied().chain(second).collect()
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {

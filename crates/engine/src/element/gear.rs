@@ -22,43 +22,98 @@
 //! λ is the moment of that force on the second wheel about its point, F = −λ/R₂ t the force. Teeth with pressure angle ψ
 //! press the wheels apart by |F| tan ψ besides, along e: no motion or torque depends on it, and it is left out.
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
-use linkdyn_linear::math::{Vec2, perp};
+use super::{
+    Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast, mapped,
+};
+use linkdyn_linear::math::{Real, Vec2, Vector, perp};
 
 /// Two wheels that mesh.
 #[derive(Debug, Clone)]
-pub struct Gear {
+pub struct Gear<T = f64> {
     /// Centres of the wheels.
-    pub first: Marker,
+    pub first: Marker<T>,
     /// The second wheel's centre.
-    pub second: Marker,
+    pub second: Marker<T>,
     /// The body that bears both.
     pub carrier: BodyId,
     /// e in the carrier's frame.
-    pub axis: Vec2,
+    pub axis: Vector<T>,
     /// ℓ \[m\].
-    pub distance: f64,
+    pub distance: T,
     /// r [–].
-    pub ratio: f64,
+    pub ratio: T,
     /// β \[rad\].
-    pub angle: f64,
+    pub angle: T,
 }
 
-impl Gear {
+impl<T: Real> Gear<T> {
+    /// The same with what `number` makes of its numbers.
+    pub(crate) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Gear<U> {
+        Gear {
+            first: self.first.map(number),
+            second: self.second.map(number),
+            carrier: self.carrier,
+            axis: mapped(&self.axis, number),
+            distance: number(self.distance),
+            ratio: number(self.ratio),
+            angle: number(self.angle),
+        }
+    }
+
     /// e and t.
-    fn directions(&self, at: &Kinematics) -> (Vec2, Vec2) {
+    fn directions(&self, at: &Kinematics<T>) -> (Vector<T>, Vector<T>) {
         let e = at.poses[self.carrier.0].turn(self.axis);
         (e, perp(e))
     }
 
     /// d.
-    fn span(&self, at: &Kinematics) -> Vec2 {
+    fn span(&self, at: &Kinematics<T>) -> Vector<T> {
         self.second.place(at) - self.first.place(at)
     }
 
     /// (1 − r)/ℓ = 1/R₂ [1/m].
-    fn curvature(&self) -> f64 {
-        (1.0 - self.ratio) / self.distance
+    fn curvature(&self) -> T {
+        (T::one() - self.ratio) / self.distance
+    }
+}
+
+impl<T: Real> Equations<T> for Gear<T> {
+    fn position(&self, at: &Kinematics<T>, phi: &mut [T]) {
+        let theta = |body: BodyId| at.poses[body.0].theta;
+        let (_, t) = self.directions(at);
+        let line = theta(self.carrier) + t.dot(&self.span(at)) / self.distance;
+        phi[0] = self.angle + self.ratio * theta(self.first.body) + (T::one() - self.ratio) * line
+            - theta(self.second.body);
+    }
+
+    fn jacobian(&self, at: &Kinematics<T>, values: &mut [T]) {
+        let (e, t) = self.directions(at);
+        let k = self.curvature();
+        let (rho1, rho2) = (self.first.rho(at), self.second.rho(at));
+        values.copy_from_slice(&[
+            -k * t.x,
+            -k * t.y,
+            self.ratio - k * e.dot(&rho1),
+            k * t.x,
+            k * t.y,
+            k * e.dot(&rho2) - T::one(),
+            T::one() - self.ratio - k * e.dot(&self.span(at)),
+        ]);
+    }
+
+    fn rate(&self, _at: &Kinematics<T>, phi_t: &mut [T]) {
+        phi_t.fill(T::zero());
+    }
+
+    fn gamma(&self, at: &Kinematics<T>, gamma: &mut [T]) {
+        let (e, t) = self.directions(at);
+        let omega = at.twists[self.carrier.0].omega;
+        let d_rate = self.second.velocity(at) - self.first.velocity(at);
+        let turn = self.second.centripetal(at) - self.first.centripetal(at);
+        let quadratic = omega * omega * t.dot(&self.span(at))
+            + T::splat(2.0) * omega * e.dot(&d_rate)
+            - t.dot(&turn);
+        gamma[0] = self.curvature() * quadratic;
     }
 }
 
@@ -73,43 +128,6 @@ impl Constraint for Gear {
         let mut entries = [of(self.first.body), of(self.second.body)].concat();
         entries.push((0, self.carrier, Axis::Theta));
         entries
-    }
-
-    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        let theta = |body: BodyId| at.poses[body.0].theta;
-        let (_, t) = self.directions(at);
-        let line = theta(self.carrier) + t.dot(&self.span(at)) / self.distance;
-        phi[0] = self.angle + self.ratio * theta(self.first.body) + (1.0 - self.ratio) * line
-            - theta(self.second.body);
-    }
-
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
-        let (e, t) = self.directions(at);
-        let k = self.curvature();
-        let (rho1, rho2) = (self.first.rho(at), self.second.rho(at));
-        values.copy_from_slice(&[
-            -k * t.x,
-            -k * t.y,
-            self.ratio - k * e.dot(&rho1),
-            k * t.x,
-            k * t.y,
-            k * e.dot(&rho2) - 1.0,
-            1.0 - self.ratio - k * e.dot(&self.span(at)),
-        ]);
-    }
-
-    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
-        phi_t.fill(0.0);
-    }
-
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
-        let (e, t) = self.directions(at);
-        let omega = at.twists[self.carrier.0].omega;
-        let d_rate = self.second.velocity(at) - self.first.velocity(at);
-        let turn = self.second.centripetal(at) - self.first.centripetal(at);
-        let quadratic =
-            omega * omega * t.dot(&self.span(at)) + 2.0 * omega * e.dot(&d_rate) - t.dot(&turn);
-        gamma[0] = self.curvature() * quadratic;
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
@@ -138,6 +156,8 @@ impl Constraint for Gear {
             e.x, e.y, -e.x, -e.y, first, -first, -second, second, -across,
         ]);
     }
+
+    abreast!();
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         let (_, t) = self.directions(at);

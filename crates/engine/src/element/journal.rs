@@ -20,7 +20,9 @@
 
 use super::span::{BOTH, Span, all_pairs};
 use super::touch::{Compliant, Contact, Reading};
-use super::{Applied, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
+use super::{
+    Applied, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, direction,
+};
 use linkdyn_linear::math::{Vec2, perp};
 
 /// A joint with clearance as a contact.
@@ -216,6 +218,16 @@ impl Bearing {
 #[derive(Debug, Clone, Copy)]
 pub struct Free;
 
+impl Equations for Free {
+    fn position(&self, _at: &Kinematics, _phi: &mut [f64]) {}
+
+    fn jacobian(&self, _at: &Kinematics, _values: &mut [f64]) {}
+
+    fn rate(&self, _at: &Kinematics, _phi_t: &mut [f64]) {}
+
+    fn gamma(&self, _at: &Kinematics, _gamma: &mut [f64]) {}
+}
+
 impl Constraint for Free {
     fn rows(&self) -> &'static [Measure] {
         &[]
@@ -224,14 +236,6 @@ impl Constraint for Free {
     fn entries(&self) -> Vec<Entry> {
         Vec::new()
     }
-
-    fn position(&self, _at: &Kinematics, _phi: &mut [f64]) {}
-
-    fn jacobian(&self, _at: &Kinematics, _values: &mut [f64]) {}
-
-    fn rate(&self, _at: &Kinematics, _phi_t: &mut [f64]) {}
-
-    fn gamma(&self, _at: &Kinematics, _gamma: &mut [f64]) {}
 
     fn reaction(&self, _at: &Kinematics, _lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::zeros(), 0.0)

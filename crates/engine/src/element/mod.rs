@@ -56,21 +56,21 @@ pub mod yielding;
 pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
 
 use crate::motion::Jet;
-use linkdyn_linear::math::{Vec2, perp};
+use linkdyn_linear::math::{Lanes, Real, Vec2, Vector, perp};
 use std::sync::Arc;
 use touch::Contact;
 
 /// Place of a body at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pose {
+pub struct Pose<T = f64> {
     /// Centre of mass \[m\].
-    pub r: Vec2,
+    pub r: Vector<T>,
     /// Angle \[rad\].
-    pub theta: f64,
+    pub theta: T,
     /// cos θ.
-    pub cos: f64,
+    pub cos: T,
     /// sin θ.
-    pub sin: f64,
+    pub sin: T,
 }
 
 impl Pose {
@@ -81,12 +81,14 @@ impl Pose {
         cos: 1.0,
         sin: 0.0,
     };
+}
 
+impl<T: Real> Pose<T> {
     /// From the coordinates [m, m, rad].
-    pub fn new(x: f64, y: f64, theta: f64) -> Self {
-        let (sin, cos) = theta.sin_cos();
+    pub fn new(x: T, y: T, theta: T) -> Self {
+        let (sin, cos) = theta.simd_sin_cos();
         Pose {
-            r: Vec2::new(x, y),
+            r: Vector::new(x, y),
             theta,
             cos,
             sin,
@@ -94,8 +96,8 @@ impl Pose {
     }
 
     /// A body-frame vector in the ground frame.
-    pub fn turn(&self, s: Vec2) -> Vec2 {
-        Vec2::new(
+    pub fn turn(&self, s: Vector<T>) -> Vector<T> {
+        Vector::new(
             self.cos * s.x - self.sin * s.y,
             self.sin * s.x + self.cos * s.y,
         )
@@ -103,26 +105,35 @@ impl Pose {
 }
 
 /// Velocity of a body at an instant.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Twist {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Twist<T = f64> {
     /// Of the centre of mass [m/s].
-    pub v: Vec2,
+    pub v: Vector<T>,
     /// Angular velocity [rad/s].
-    pub omega: f64,
+    pub omega: T,
+}
+
+impl<T: Real> Default for Twist<T> {
+    fn default() -> Self {
+        Twist {
+            v: Vector::zeros(),
+            omega: T::zero(),
+        }
+    }
 }
 
 /// Places and velocities of all bodies at one instant, with what is prescribed from outside: all that an element may look
 /// at. Index of the slices: body id (0 = ground), driver, offset, contact.
 #[derive(Debug, Clone, Copy)]
-pub struct Kinematics<'a> {
+pub struct Kinematics<'a, T = f64> {
     /// Places of all bodies.
-    pub poses: &'a [Pose],
+    pub poses: &'a [Pose<T>],
     /// Velocities of all bodies.
-    pub twists: &'a [Twist],
+    pub twists: &'a [Twist<T>],
     /// Driver values with two derivatives.
-    pub drive: &'a [Jet],
+    pub drive: &'a [Jet<T>],
     /// Prescribed offsets of joints with a clearance link, with two derivatives [m, m/s, m/s²].
-    pub offset: &'a [[Vec2; 3]],
+    pub offset: &'a [[Vector<T>; 3]],
     /// The sides of kinks that formulas hold, and behind them the stretches of cams; empty where each is on that of its values.
     pub sides: &'a [i32],
     /// Integrated states.
@@ -135,46 +146,60 @@ pub struct Kinematics<'a> {
 
 /// A point fixed in a body, from its centre of mass \[m\].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Marker {
+pub struct Marker<T = f64> {
     /// The body.
     pub body: BodyId,
     /// The point in the frame of the body.
-    pub s: Vec2,
+    pub s: Vector<T>,
 }
 
-impl Marker {
+impl<T: Real> Marker<T> {
     /// The same point of a body with another number.
-    pub(crate) fn of(self, id: &dyn Fn(BodyId) -> BodyId) -> Marker {
+    pub(crate) fn of(self, id: &dyn Fn(BodyId) -> BodyId) -> Self {
         Marker {
             body: id(self.body),
             s: self.s,
         }
     }
 
+    /// The same with what `number` makes of its numbers.
+    pub(crate) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Marker<U> {
+        Marker {
+            body: self.body,
+            s: mapped(&self.s, number),
+        }
+    }
+
     /// From the centre of mass to the point, in global axes \[m\].
-    pub fn rho(&self, at: &Kinematics) -> Vec2 {
+    pub fn rho(&self, at: &Kinematics<T>) -> Vector<T> {
         at.poses[self.body.0].turn(self.s)
     }
 
-    pub(crate) fn omega(&self, at: &Kinematics) -> f64 {
+    pub(crate) fn omega(&self, at: &Kinematics<T>) -> T {
         at.twists[self.body.0].omega
     }
 
     /// Place of the point \[m\].
-    pub fn place(&self, at: &Kinematics) -> Vec2 {
+    pub fn place(&self, at: &Kinematics<T>) -> Vector<T> {
         at.poses[self.body.0].r + self.rho(at)
     }
 
     /// Velocity of the point [m/s].
-    pub fn velocity(&self, at: &Kinematics) -> Vec2 {
+    pub fn velocity(&self, at: &Kinematics<T>) -> Vector<T> {
         at.twists[self.body.0].v + perp(self.rho(at)) * self.omega(at)
     }
 
     /// Part of the acceleration that is quadratic in ω: −ω² ρ [m/s²].
-    pub(crate) fn centripetal(&self, at: &Kinematics) -> Vec2 {
+    pub(crate) fn centripetal(&self, at: &Kinematics<T>) -> Vector<T> {
         let omega = self.omega(at);
         self.rho(at) * (-omega * omega)
     }
+}
+
+/// A vector of what `number` makes of its components.
+pub(crate) fn mapped<T: Real, U>(a: &Vector<T>, number: &mut dyn FnMut(T) -> U) -> Vector<U> {
+    let [[x, y]] = a.data.0;
+    Vector::from_data(nalgebra::ArrayStorage([[number(x), number(y)]]))
 }
 
 /// What a row's residual is measured in.
@@ -192,20 +217,25 @@ pub type Entry = (usize, BodyId, Axis);
 /// One entry of a derivative by coordinates: that of the force on the first, by the second.
 pub type Slope = [(BodyId, Axis); 2];
 
-/// Equations φ = 0 of one joint or driver. Slices are as long as [`Constraint::rows`] or [`Constraint::entries`] say.
-pub trait Constraint: Send + Sync {
+/// Equations φ = 0 of one joint or driver, of one mechanism or of several side by side. Slices are as long as
+/// [`Constraint::rows`] or [`Constraint::entries`] say.
+pub trait Equations<T = f64>: Send + Sync {
+    /// φ [m or rad].
+    fn position(&self, at: &Kinematics<T>, phi: &mut [T]);
+    /// Values of the entries of ∂φ/∂q.
+    fn jacobian(&self, at: &Kinematics<T>, values: &mut [T]);
+    /// φ_t [m/s or rad/s].
+    fn rate(&self, at: &Kinematics<T>, phi_t: &mut [T]);
+    /// γ [m/s² or rad/s²].
+    fn gamma(&self, at: &Kinematics<T>, gamma: &mut [T]);
+}
+
+/// What else a joint or driver says of its equations.
+pub trait Constraint: Equations {
     /// What each row is measured in; its length is the number of rows.
     fn rows(&self) -> &'static [Measure];
-    /// Where the Jacobian can be non-zero, in the order [`Constraint::jacobian`] writes (entries of ground included).
+    /// Where the Jacobian can be non-zero, in the order [`Equations::jacobian`] writes (entries of ground included).
     fn entries(&self) -> Vec<Entry>;
-    /// φ [m or rad].
-    fn position(&self, at: &Kinematics, phi: &mut [f64]);
-    /// Values of the entries of ∂φ/∂q.
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]);
-    /// φ_t [m/s or rad/s].
-    fn rate(&self, at: &Kinematics, phi_t: &mut [f64]);
-    /// γ [m/s² or rad/s²].
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]);
     /// Where ∂(Jᵀλ)/∂q can be non-zero, in the order [`Constraint::bend`] writes; it is symmetric, and of two entries beside the
     /// diagonal one stands here.
     /// `None` if φ is linear in q.
@@ -218,6 +248,10 @@ pub trait Constraint: Send + Sync {
     fn is_linear(&self, _row: usize) -> bool {
         self.curvature_pattern().is_empty()
     }
+    /// Whether an entry of the Jacobian is the same at all positions.
+    fn is_constant(&self, _entry: usize) -> bool {
+        false
+    }
     /// Force on the second body (global axes) \[N\] and torque [N·m] that the multipliers mean.
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64);
     /// The same equations with other numbers of the two bodies; `None` if they are more than geometry between two bodies
@@ -225,7 +259,36 @@ pub trait Constraint: Send + Sync {
     fn between(&self, _id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
         None
     }
+    /// The equations of several mechanisms side by side, with what `number` makes of their numbers, always in the same order;
+    /// `None` if they can only be evaluated one by one.
+    fn abreast(&self, _number: &mut dyn FnMut(f64) -> Lanes) -> Option<Box<dyn Equations<Lanes>>> {
+        None
+    }
+    /// The same equations with what `number` makes of their numbers, in that order; `None` if they have others as well.
+    fn renumbered(&self, _number: &mut dyn FnMut(f64) -> f64) -> Option<Arc<dyn Constraint>> {
+        None
+    }
 }
+
+/// [`Constraint::abreast`] and [`Constraint::renumbered`] of what maps its numbers.
+macro_rules! abreast {
+    () => {
+        fn abreast(
+            &self,
+            number: &mut dyn FnMut(f64) -> linkdyn_linear::math::Lanes,
+        ) -> Option<Box<dyn super::Equations<linkdyn_linear::math::Lanes>>> {
+            Some(Box::new(self.map(number)))
+        }
+
+        fn renumbered(
+            &self,
+            number: &mut dyn FnMut(f64) -> f64,
+        ) -> Option<std::sync::Arc<dyn super::Constraint>> {
+            Some(std::sync::Arc::new(self.map(number)))
+        }
+    };
+}
+use abreast;
 
 /// Generalized forces on all bodies, [N, N, N·m] each; ground's are thrown away.
 pub struct Applied<'a> {

@@ -10,36 +10,38 @@
 //!
 //! λ₁ n is the force and λ₂ the torque of the first body on the second, at the second body's point.
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
-use linkdyn_linear::math::{Vec2, perp};
+use super::{
+    Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast, mapped,
+};
+use linkdyn_linear::math::{Real, Vec2, Vector, perp};
 use std::sync::Arc;
 
 /// A line fixed in the first body, and a point of the second body.
 #[derive(Debug, Clone)]
-pub struct Guide {
+pub struct Guide<T = f64> {
     /// A point of the guide, on the first body.
-    pub first: Marker,
+    pub first: Marker<T>,
     /// The point that it guides, on the second body.
-    pub second: Marker,
+    pub second: Marker<T>,
     /// Unit vector in the first body's frame.
-    pub axis: Vec2,
+    pub axis: Vector<T>,
 }
 
 /// The guide at an instant.
-pub(super) struct Slide {
+pub(super) struct Slide<T = f64> {
     /// Direction of the guide.
-    pub u: Vec2,
+    pub u: Vector<T>,
     /// Direction across it.
-    pub n: Vec2,
+    pub n: Vector<T>,
     /// From the first point to the second \[m\].
-    pub d: Vec2,
-    pub rho1: Vec2,
-    pub rho2: Vec2,
+    pub d: Vector<T>,
+    pub rho1: Vector<T>,
+    pub rho2: Vector<T>,
 }
 
-impl Guide {
+impl<T: Real> Guide<T> {
     /// The same guide between bodies with other numbers.
-    pub(super) fn of(&self, id: &dyn Fn(BodyId) -> BodyId) -> Guide {
+    pub(super) fn of(&self, id: &dyn Fn(BodyId) -> BodyId) -> Self {
         Guide {
             first: self.first.of(id),
             second: self.second.of(id),
@@ -47,7 +49,16 @@ impl Guide {
         }
     }
 
-    pub(super) fn at(&self, at: &Kinematics) -> Slide {
+    /// The same with what `number` makes of its numbers.
+    pub(super) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Guide<U> {
+        Guide {
+            first: self.first.map(number),
+            second: self.second.map(number),
+            axis: mapped(&self.axis, number),
+        }
+    }
+
+    pub(super) fn at(&self, at: &Kinematics<T>) -> Slide<T> {
         let u = at.poses[self.first.body.0].turn(self.axis);
         let d = self.second.place(at) - self.first.place(at);
         Slide {
@@ -60,19 +71,19 @@ impl Guide {
     }
 
     /// u·d, the slide \[m\].
-    pub fn slide(&self, at: &Kinematics) -> f64 {
+    pub fn slide(&self, at: &Kinematics<T>) -> T {
         let s = self.at(at);
         s.u.dot(&s.d)
     }
 
     /// φ₁ = −n·d, how far the second point is off the line \[m\].
-    pub(super) fn across(&self, at: &Kinematics) -> f64 {
+    pub(super) fn across(&self, at: &Kinematics<T>) -> T {
         let s = self.at(at);
         -s.n.dot(&s.d)
     }
 
     /// Values of [`Guide::entries`] for φ₁.
-    pub(super) fn across_jacobian(&self, at: &Kinematics) -> [f64; 6] {
+    pub(super) fn across_jacobian(&self, at: &Kinematics<T>) -> [T; 6] {
         let Slide {
             u,
             n,
@@ -84,12 +95,12 @@ impl Guide {
     }
 
     /// γ₁ [m/s²].
-    pub(super) fn across_gamma(&self, at: &Kinematics) -> f64 {
+    pub(super) fn across_gamma(&self, at: &Kinematics<T>) -> T {
         let Slide { u, n, d, .. } = self.at(at);
         let d_rate = self.second.velocity(at) - self.first.velocity(at);
         let omega = self.first.omega(at);
         let turn = self.second.centripetal(at) - self.first.centripetal(at);
-        n.dot(&turn) - omega * omega * n.dot(&d) - 2.0 * omega * u.dot(&d_rate)
+        n.dot(&turn) - omega * omega * n.dot(&d) - T::splat(2.0) * omega * u.dot(&d_rate)
     }
 
     /// Where −n·d and −u·d bend.
@@ -108,7 +119,7 @@ impl Guide {
     }
 
     /// Values of [`Guide::bends`] for λ n·d, of a direction n that turns with the first body.
-    pub(super) fn bend(&self, at: &Kinematics, n: Vec2, lambda: f64) -> [f64; 7] {
+    pub(super) fn bend(&self, at: &Kinematics<T>, n: Vector<T>, lambda: T) -> [T; 7] {
         let Slide { d, rho1, rho2, .. } = self.at(at);
         let turned = perp(n) * lambda;
         let n = n * lambda;
@@ -138,11 +149,42 @@ impl Guide {
 
 /// A body that slides along a guide without turning.
 #[derive(Debug, Clone)]
-pub struct Prismatic {
+pub struct Prismatic<T = f64> {
     /// The guide.
-    pub guide: Guide,
+    pub guide: Guide<T>,
     /// β = θ₂ − θ₁ \[rad\].
-    pub angle: f64,
+    pub angle: T,
+}
+
+impl<T: Real> Prismatic<T> {
+    /// The same with what `number` makes of its numbers.
+    pub(crate) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Prismatic<U> {
+        Prismatic {
+            guide: self.guide.map(number),
+            angle: number(self.angle),
+        }
+    }
+}
+
+impl<T: Real> Equations<T> for Prismatic<T> {
+    fn position(&self, at: &Kinematics<T>, phi: &mut [T]) {
+        let theta = |marker: &Marker<T>| at.poses[marker.body.0].theta;
+        let turned = theta(&self.guide.first) + self.angle - theta(&self.guide.second);
+        phi.copy_from_slice(&[self.guide.across(at), turned]);
+    }
+
+    fn jacobian(&self, at: &Kinematics<T>, values: &mut [T]) {
+        values[..6].copy_from_slice(&self.guide.across_jacobian(at));
+        values[6..].copy_from_slice(&[T::one(), -T::one()]);
+    }
+
+    fn rate(&self, _at: &Kinematics<T>, phi_t: &mut [T]) {
+        phi_t.fill(T::zero());
+    }
+
+    fn gamma(&self, at: &Kinematics<T>, gamma: &mut [T]) {
+        gamma.copy_from_slice(&[self.guide.across_gamma(at), T::zero()]);
+    }
 }
 
 impl Constraint for Prismatic {
@@ -157,25 +199,6 @@ impl Constraint for Prismatic {
             (1, self.guide.second.body, Axis::Theta),
         ]);
         entries
-    }
-
-    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        let theta = |marker: &Marker| at.poses[marker.body.0].theta;
-        let turned = theta(&self.guide.first) + self.angle - theta(&self.guide.second);
-        phi.copy_from_slice(&[self.guide.across(at), turned]);
-    }
-
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
-        values[..6].copy_from_slice(&self.guide.across_jacobian(at));
-        values[6..].copy_from_slice(&[1.0, -1.0]);
-    }
-
-    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
-        phi_t.fill(0.0);
-    }
-
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
-        gamma.copy_from_slice(&[self.guide.across_gamma(at), 0.0]);
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
@@ -194,6 +217,12 @@ impl Constraint for Prismatic {
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).n * lambda[0], lambda[1])
     }
+
+    fn is_constant(&self, entry: usize) -> bool {
+        entry >= 6
+    }
+
+    abreast!();
 
     fn between(&self, id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
         Some(Arc::new(Prismatic {

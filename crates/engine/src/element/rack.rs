@@ -18,62 +18,65 @@
 //! λ a is the force of the wheel on the rack, of moment λ (r − n·d) about its point. Teeth with a pressure angle also press the
 //! two apart, along n: no motion or torque depends on it, and it is left out, as with gears.
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
-use linkdyn_linear::math::{Vec2, perp};
+use super::{
+    Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast, mapped,
+};
+use linkdyn_linear::math::{Real, Vec2, Vector, perp};
 use std::sync::Arc;
 
 /// A wheel that rolls on a line of another body.
 #[derive(Debug, Clone)]
-pub struct Rack {
+pub struct Rack<T = f64> {
     /// Centre of the wheel.
-    pub first: Marker,
+    pub first: Marker<T>,
     /// Point of the rack.
-    pub second: Marker,
+    pub second: Marker<T>,
     /// a in the rack's frame, length one.
-    pub axis: Vec2,
+    pub axis: Vector<T>,
     /// r \[m\], signed.
-    pub radius: f64,
+    pub radius: T,
     /// c \[m\].
-    pub offset: f64,
+    pub offset: T,
 }
 
-impl Rack {
+impl<T: Real> Rack<T> {
+    /// The same with what `number` makes of its numbers.
+    pub(crate) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Rack<U> {
+        Rack {
+            first: self.first.map(number),
+            second: self.second.map(number),
+            axis: mapped(&self.axis, number),
+            radius: number(self.radius),
+            offset: number(self.offset),
+        }
+    }
+
     /// a, n and d.
-    fn directions(&self, at: &Kinematics) -> [Vec2; 3] {
+    fn directions(&self, at: &Kinematics<T>) -> [Vector<T>; 3] {
         let a = at.poses[self.second.body.0].turn(self.axis);
         [a, perp(a), self.first.place(at) - self.second.place(at)]
     }
 
     /// n·d, which is r where the pitch line goes through the rack's point \[m\].
-    pub fn height(&self, at: &Kinematics) -> f64 {
+    pub fn height(&self, at: &Kinematics<T>) -> T {
         let [_, n, d] = self.directions(at);
         n.dot(&d)
     }
 
     /// a·d + r (θ₁ − θ₂), which is c \[m\].
-    pub fn rolled(&self, at: &Kinematics) -> f64 {
+    pub fn rolled(&self, at: &Kinematics<T>) -> T {
         let [a, _, d] = self.directions(at);
         let theta = |body: BodyId| at.poses[body.0].theta;
         a.dot(&d) + self.radius * (theta(self.first.body) - theta(self.second.body))
     }
 }
 
-impl Constraint for Rack {
-    fn rows(&self) -> &'static [Measure] {
-        &[Measure::Length]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let all = [Axis::X, Axis::Y, Axis::Theta];
-        let of = |body: BodyId| all.map(|axis| (0, body, axis));
-        [of(self.first.body), of(self.second.body)].concat()
-    }
-
-    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
+impl<T: Real> Equations<T> for Rack<T> {
+    fn position(&self, at: &Kinematics<T>, phi: &mut [T]) {
         phi[0] = self.rolled(at) - self.offset;
     }
 
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
+    fn jacobian(&self, at: &Kinematics<T>, values: &mut [T]) {
         let [a, n, d] = self.directions(at);
         let (rho1, rho2) = (self.first.rho(at), self.second.rho(at));
         values.copy_from_slice(&[
@@ -86,16 +89,29 @@ impl Constraint for Rack {
         ]);
     }
 
-    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
-        phi_t.fill(0.0);
+    fn rate(&self, _at: &Kinematics<T>, phi_t: &mut [T]) {
+        phi_t.fill(T::zero());
     }
 
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
+    fn gamma(&self, at: &Kinematics<T>, gamma: &mut [T]) {
         let [a, n, d] = self.directions(at);
         let omega = self.second.omega(at);
         let d_rate = self.first.velocity(at) - self.second.velocity(at);
         let turn = self.second.centripetal(at) - self.first.centripetal(at);
-        gamma[0] = a.dot(&turn) - 2.0 * omega * n.dot(&d_rate) + omega * omega * a.dot(&d);
+        gamma[0] =
+            a.dot(&turn) - T::splat(2.0) * omega * n.dot(&d_rate) + omega * omega * a.dot(&d);
+    }
+}
+
+impl Constraint for Rack {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let all = [Axis::X, Axis::Y, Axis::Theta];
+        let of = |body: BodyId| all.map(|axis| (0, body, axis));
+        [of(self.first.body), of(self.second.body)].concat()
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
@@ -113,6 +129,8 @@ impl Constraint for Rack {
         let (own, other) = (a.dot(&self.first.rho(at)), a.dot(&self.second.rho(at)));
         values.copy_from_slice(&[n.x, n.y, -n.x, -n.y, -own, own, -along - other]);
     }
+
+    abreast!();
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         let [a, n, d] = self.directions(at);

@@ -10,8 +10,10 @@
 //! λ is the force of the first body on the second, at the second body's point.
 //! With an offset the joint is the massless equivalent clearance link of Earles and Wu (1972): e = journal − bearing.
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
-use linkdyn_linear::math::Vec2;
+use super::{
+    Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast,
+};
+use linkdyn_linear::math::{Real, Vec2, Vector};
 use std::sync::Arc;
 
 /// Where a joint's prescribed offset stands in [`Kinematics::offset`].
@@ -20,19 +22,28 @@ pub struct OffsetId(pub u32);
 
 /// Two points that coincide.
 #[derive(Debug, Clone)]
-pub struct Revolute {
+pub struct Revolute<T = f64> {
     /// The point on the first body.
-    pub first: Marker,
+    pub first: Marker<T>,
     /// The point on the second body.
-    pub second: Marker,
+    pub second: Marker<T>,
     /// What keeps them apart, where a clearance link does.
     pub offset: Option<OffsetId>,
 }
 
-impl Revolute {
-    fn offset(&self, at: &Kinematics, derivative: usize) -> Vec2 {
+impl<T: Real> Revolute<T> {
+    /// The same with what `number` makes of its numbers.
+    pub(crate) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Revolute<U> {
+        Revolute {
+            first: self.first.map(number),
+            second: self.second.map(number),
+            offset: self.offset,
+        }
+    }
+
+    fn offset(&self, at: &Kinematics<T>, derivative: usize) -> Vector<T> {
         self.offset
-            .map_or(Vec2::zeros(), |id| at.offset[id.0 as usize][derivative])
+            .map_or(Vector::zeros(), |id| at.offset[id.0 as usize][derivative])
     }
 }
 
@@ -50,10 +61,21 @@ pub(super) fn point_entries(first: &Marker, second: &Marker) -> Vec<Entry> {
     entries
 }
 
+/// Which of [`point_entries`] are the same everywhere.
+pub(super) fn is_of_place(entry: usize) -> bool {
+    entry.is_multiple_of(2)
+}
+
 /// Values of [`point_entries`].
-pub(super) fn point_jacobian(at: &Kinematics, first: &Marker, second: &Marker, values: &mut [f64]) {
+pub(super) fn point_jacobian<T: Real>(
+    at: &Kinematics<T>,
+    first: &Marker<T>,
+    second: &Marker<T>,
+    values: &mut [T],
+) {
     let (a, b) = (first.rho(at), second.rho(at));
-    values.copy_from_slice(&[1.0, -a.y, 1.0, a.x, -1.0, b.y, -1.0, -b.x]);
+    let one = T::one();
+    values.copy_from_slice(&[one, -a.y, one, a.x, -one, b.y, -one, -b.x]);
 }
 
 /// Where points that are held together bend: only by their bodies' angles.
@@ -73,6 +95,27 @@ pub(super) fn point_bend(
     values.copy_from_slice(&[-first.rho(at).dot(&force), second.rho(at).dot(&force)]);
 }
 
+impl<T: Real> Equations<T> for Revolute<T> {
+    fn position(&self, at: &Kinematics<T>, phi: &mut [T]) {
+        let gap = self.first.place(at) - self.second.place(at) + self.offset(at, 0);
+        phi.copy_from_slice(&[gap.x, gap.y]);
+    }
+
+    fn jacobian(&self, at: &Kinematics<T>, values: &mut [T]) {
+        point_jacobian(at, &self.first, &self.second, values);
+    }
+
+    fn rate(&self, at: &Kinematics<T>, phi_t: &mut [T]) {
+        let rate = self.offset(at, 1);
+        phi_t.copy_from_slice(&[rate.x, rate.y]);
+    }
+
+    fn gamma(&self, at: &Kinematics<T>, gamma: &mut [T]) {
+        let g = self.second.centripetal(at) - self.first.centripetal(at) - self.offset(at, 2);
+        gamma.copy_from_slice(&[g.x, g.y]);
+    }
+}
+
 impl Constraint for Revolute {
     fn rows(&self) -> &'static [Measure] {
         &[Measure::Length, Measure::Length]
@@ -80,25 +123,6 @@ impl Constraint for Revolute {
 
     fn entries(&self) -> Vec<Entry> {
         point_entries(&self.first, &self.second)
-    }
-
-    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        let gap = self.first.place(at) - self.second.place(at) + self.offset(at, 0);
-        phi.copy_from_slice(&[gap.x, gap.y]);
-    }
-
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
-        point_jacobian(at, &self.first, &self.second, values);
-    }
-
-    fn rate(&self, at: &Kinematics, phi_t: &mut [f64]) {
-        let rate = self.offset(at, 1);
-        phi_t.copy_from_slice(&[rate.x, rate.y]);
-    }
-
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
-        let g = self.second.centripetal(at) - self.first.centripetal(at) - self.offset(at, 2);
-        gamma.copy_from_slice(&[g.x, g.y]);
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
@@ -113,6 +137,12 @@ impl Constraint for Revolute {
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::new(lambda[0], lambda[1]), 0.0)
     }
+
+    fn is_constant(&self, entry: usize) -> bool {
+        is_of_place(entry)
+    }
+
+    abreast!();
 
     fn between(&self, id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
         // An offset is prescribed from outside.

@@ -16,46 +16,87 @@
 //! λ is the force of the first body on the second in the contact point, of moment −r₂ e⊥·λ about P₂. The joint holds from both
 //! sides: where R e·λ < 0, real bodies without teeth or a band would part.
 
-use super::revolute::point_entries;
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
-use linkdyn_linear::math::{Vec2, perp};
+use super::revolute::{is_of_place, point_entries};
+use super::{
+    Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast,
+};
+use linkdyn_linear::math::{Real, Vec2, Vector, perp};
 use std::sync::Arc;
 
 /// Two round bodies that roll on each other.
 #[derive(Debug, Clone)]
-pub struct Rolling {
+pub struct Rolling<T = f64> {
     /// Centre of the first body.
-    pub first: Marker,
+    pub first: Marker<T>,
     /// Centre of the second body.
-    pub second: Marker,
+    pub second: Marker<T>,
     /// r₁ and r₂ \[m\]; negative of a ring. Their sum is not zero.
-    pub radii: [f64; 2],
+    pub radii: [T; 2],
     /// c \[m\].
-    pub offset: f64,
+    pub offset: T,
 }
 
-impl Rolling {
-    fn distance(&self) -> f64 {
+impl<T: Real> Rolling<T> {
+    /// The same with what `number` makes of its numbers.
+    pub(crate) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Rolling<U> {
+        Rolling {
+            first: self.first.map(number),
+            second: self.second.map(number),
+            radii: self.radii.map(&mut *number),
+            offset: number(self.offset),
+        }
+    }
+
+    fn distance(&self) -> T {
         self.radii[0] + self.radii[1]
     }
 
     /// r₁ u₁ + r₂ u₂ for two numbers of the bodies.
-    fn weighted(&self, number: impl Fn(BodyId) -> f64) -> f64 {
+    fn weighted(&self, number: impl Fn(BodyId) -> T) -> T {
         let [first, second] = [self.first, self.second].map(|marker| number(marker.body));
         self.radii[0] * first + self.radii[1] * second
     }
 
     /// e(ψ).
-    fn direction(&self, at: &Kinematics) -> Vec2 {
+    fn direction(&self, at: &Kinematics<T>) -> Vector<T> {
         let turned = self.weighted(|body| at.poses[body.0].theta) - self.offset;
-        let (sin, cos) = (turned / self.distance()).sin_cos();
-        Vec2::new(cos, sin)
+        let (sin, cos) = (turned / self.distance()).simd_sin_cos();
+        Vector::new(cos, sin)
     }
+}
 
+impl Rolling {
     /// c, with the centres on the line that they are on \[m\].
     pub fn rolled(&self, at: &Kinematics) -> f64 {
         let e = (self.second.place(at) - self.first.place(at)) / self.distance();
         self.weighted(|body| at.poses[body.0].theta) - self.distance() * e.y.atan2(e.x)
+    }
+}
+
+impl<T: Real> Equations<T> for Rolling<T> {
+    fn position(&self, at: &Kinematics<T>, phi: &mut [T]) {
+        let span = self.direction(at) * self.distance();
+        let gap = self.first.place(at) + span - self.second.place(at);
+        phi.copy_from_slice(&[gap.x, gap.y]);
+    }
+
+    fn jacobian(&self, at: &Kinematics<T>, values: &mut [T]) {
+        let across = perp(self.direction(at));
+        let own = perp(self.first.rho(at)) + across * self.radii[0];
+        let other = across * self.radii[1] - perp(self.second.rho(at));
+        let one = T::one();
+        values.copy_from_slice(&[one, own.x, one, own.y, -one, other.x, -one, other.y]);
+    }
+
+    fn rate(&self, _at: &Kinematics<T>, phi_t: &mut [T]) {
+        phi_t.fill(T::zero());
+    }
+
+    fn gamma(&self, at: &Kinematics<T>, gamma: &mut [T]) {
+        let speed = self.weighted(|body| at.twists[body.0].omega);
+        let inwards = self.direction(at) * (speed * speed / self.distance());
+        let g = self.second.centripetal(at) - self.first.centripetal(at) + inwards;
+        gamma.copy_from_slice(&[g.x, g.y]);
     }
 }
 
@@ -66,30 +107,6 @@ impl Constraint for Rolling {
 
     fn entries(&self) -> Vec<Entry> {
         point_entries(&self.first, &self.second)
-    }
-
-    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        let span = self.direction(at) * self.distance();
-        let gap = self.first.place(at) + span - self.second.place(at);
-        phi.copy_from_slice(&[gap.x, gap.y]);
-    }
-
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
-        let across = perp(self.direction(at));
-        let own = perp(self.first.rho(at)) + across * self.radii[0];
-        let other = across * self.radii[1] - perp(self.second.rho(at));
-        values.copy_from_slice(&[1.0, own.x, 1.0, own.y, -1.0, other.x, -1.0, other.y]);
-    }
-
-    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
-        phi_t.fill(0.0);
-    }
-
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
-        let speed = self.weighted(|body| at.twists[body.0].omega);
-        let inwards = self.direction(at) * (speed * speed / self.distance());
-        let g = self.second.centripetal(at) - self.first.centripetal(at) + inwards;
-        gamma.copy_from_slice(&[g.x, g.y]);
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
@@ -107,6 +124,12 @@ impl Constraint for Rolling {
             r2 * r2 * along + self.second.rho(at).dot(&force),
         ]);
     }
+
+    fn is_constant(&self, entry: usize) -> bool {
+        is_of_place(entry)
+    }
+
+    abreast!();
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         let force = Vec2::new(lambda[0], lambda[1]);

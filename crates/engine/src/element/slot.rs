@@ -12,15 +12,42 @@
 //! The row is the first of a prismatic joint with the same guide.
 
 use super::prismatic::Guide;
-use super::{BodyId, Constraint, Entry, Kinematics, Measure, Slope};
-use linkdyn_linear::math::Vec2;
+use super::{BodyId, Constraint, Entry, Equations, Kinematics, Measure, Slope, abreast};
+use linkdyn_linear::math::{Real, Vec2};
 use std::sync::Arc;
 
 /// A point that slides along a guide.
 #[derive(Debug, Clone)]
-pub struct Slot {
+pub struct Slot<T = f64> {
     /// The guide.
-    pub guide: Guide,
+    pub guide: Guide<T>,
+}
+
+impl<T: Real> Slot<T> {
+    /// The same with what `number` makes of its numbers.
+    pub(crate) fn map<U>(&self, number: &mut dyn FnMut(T) -> U) -> Slot<U> {
+        Slot {
+            guide: self.guide.map(number),
+        }
+    }
+}
+
+impl<T: Real> Equations<T> for Slot<T> {
+    fn position(&self, at: &Kinematics<T>, phi: &mut [T]) {
+        phi[0] = self.guide.across(at);
+    }
+
+    fn jacobian(&self, at: &Kinematics<T>, values: &mut [T]) {
+        values.copy_from_slice(&self.guide.across_jacobian(at));
+    }
+
+    fn rate(&self, _at: &Kinematics<T>, phi_t: &mut [T]) {
+        phi_t.fill(T::zero());
+    }
+
+    fn gamma(&self, at: &Kinematics<T>, gamma: &mut [T]) {
+        gamma[0] = self.guide.across_gamma(at);
+    }
 }
 
 impl Constraint for Slot {
@@ -30,22 +57,6 @@ impl Constraint for Slot {
 
     fn entries(&self) -> Vec<Entry> {
         self.guide.entries(0).to_vec()
-    }
-
-    fn position(&self, at: &Kinematics, phi: &mut [f64]) {
-        phi[0] = self.guide.across(at);
-    }
-
-    fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
-        values.copy_from_slice(&self.guide.across_jacobian(at));
-    }
-
-    fn rate(&self, _at: &Kinematics, phi_t: &mut [f64]) {
-        phi_t.fill(0.0);
-    }
-
-    fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
-        gamma[0] = self.guide.across_gamma(at);
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {
@@ -60,6 +71,8 @@ impl Constraint for Slot {
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).n * lambda[0], 0.0)
     }
+
+    abreast!();
 
     fn between(&self, id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {
         Some(Arc::new(Slot {

@@ -26,7 +26,9 @@ use super::prismatic::Guide;
 use super::quantity::Measured;
 use super::span::{BOTH, Span, all_pairs, upper_pairs};
 use super::touch::{Compliant, Contact, ContactId, Reading};
-use super::{Applied, Axis, Constraint, Entry, Kinematics, Marker, Measure, Slope, direction};
+use super::{
+    Applied, Axis, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, direction,
+};
 use linkdyn_linear::math::Vec2;
 
 /// Which end of the way it is.
@@ -319,17 +321,7 @@ pub(super) const BENT: [[(usize, Axis); 2]; 7] = [
     [(1, Axis::Theta), (1, Axis::Theta)],
 ];
 
-impl Constraint for Stop {
-    fn rows(&self) -> &'static [Measure] {
-        &[Measure::Length]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let bodies = [self.first.body, self.second.body];
-        let of = |body| Axis::ALL.map(|axis| (0, body, axis));
-        bodies.map(of).concat()
-    }
-
+impl Equations for Stop {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = self.factor() * (self.coordinate(at) - self.place(at));
     }
@@ -345,6 +337,18 @@ impl Constraint for Stop {
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let [_, by_position] = self.gradients(at);
         gamma[0] = -self.along_velocities(at, &by_position);
+    }
+}
+
+impl Constraint for Stop {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let bodies = [self.first.body, self.second.body];
+        let of = |body| Axis::ALL.map(|axis| (0, body, axis));
+        bodies.map(of).concat()
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {

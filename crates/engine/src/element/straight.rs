@@ -12,7 +12,7 @@ use super::quantity::Measured;
 use super::span::BOTH;
 use super::stop::{BENT, Side, Stop, Travel, index};
 use super::touch::{Compliant, Contact, ContactId, Reading};
-use super::{Applied, Constraint, Entry, Kinematics, Marker, Measure, Slope};
+use super::{Applied, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 
 /// A straight piece.
@@ -198,17 +198,7 @@ pub struct RollingTip {
     pub id: ContactId,
 }
 
-impl Constraint for RollingTip {
-    fn rows(&self) -> &'static [Measure] {
-        &[Measure::Length, Measure::Length]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let first = self.straight.stop.entries();
-        let second = first.iter().map(|&(_, body, axis)| (1, body, axis));
-        first.iter().copied().chain(second).collect()
-    }
-
+impl Equations for RollingTip {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         self.straight.stop.position(at, &mut phi[..1]);
         phi[1] = at.contacts[self.id.0].anchor - self.straight.rolled(at);
@@ -234,6 +224,18 @@ impl Constraint for RollingTip {
         stop.gamma(at, &mut gamma[..1]);
         let [_, by_place] = self.straight.along().slopes(at);
         gamma[1] = stop.along_velocities(at, &by_place);
+    }
+}
+
+impl Constraint for RollingTip {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length, Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let first = self.straight.stop.entries();
+        let second = first.iter().map(|&(_, body, axis)| (1, body, axis));
+        first.iter().copied().chain(second).collect()
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {

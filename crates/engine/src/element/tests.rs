@@ -15,6 +15,7 @@ use super::spring::Spring;
 use super::torsion_spring::TorsionSpring;
 use super::*;
 use crate::motion::Law;
+use nalgebra::SimdValue;
 
 pub(super) fn marker(body: usize, x: f64, y: f64) -> Marker {
     Marker {
@@ -276,6 +277,113 @@ fn rate_and_gamma_are_the_time_derivatives_of_phi() {
             );
         }
     }
+}
+
+#[test]
+fn entries_that_are_called_constant_are() {
+    let values = |c: &dyn Constraint, t: f64| {
+        along(t, |at| {
+            let mut values = vec![0.0; c.entries().len()];
+            c.jacobian(at, &mut values);
+            values
+        })
+    };
+    let mut constant = 0;
+    for (name, c) in all_constraints() {
+        let first = values(c.as_ref(), 0.0);
+        for t in [0.3, 1.1, 2.7] {
+            let now = values(c.as_ref(), t);
+            for entry in (0..first.len()).filter(|entry| c.is_constant(*entry)) {
+                assert_eq!(first[entry], now[entry], "{name}: entry {entry}");
+                constant += 1;
+            }
+        }
+    }
+    assert!(constant > 50, "{constant}");
+}
+
+#[test]
+fn several_side_by_side_are_as_one_by_one() {
+    let times = [0.0, 0.4, 0.9, 1.7];
+    let mut seen = 0;
+    for (name, c) in all_constraints() {
+        let Some(abreast) = c.abreast(&mut Lanes::splat) else {
+            continue;
+        };
+        let again = c.renumbered(&mut |own| own).expect("numbers of its own");
+        seen += 1;
+        let (rows, entries) = (c.rows().len(), c.entries().len());
+        let (mut poses, mut twists) = (vec![], vec![]);
+        let (mut drive, mut offset) = (vec![[Lanes::ZERO; 3]], vec![[Vector::zeros(); 3]]);
+        for (lane, time) in times.into_iter().enumerate() {
+            let (own, own_twists, jet, gap) = along(time, |at| {
+                (
+                    at.poses.to_vec(),
+                    at.twists.to_vec(),
+                    at.drive[0],
+                    at.offset[0],
+                )
+            });
+            poses.push(own);
+            twists.push(own_twists);
+            for order in 0..3 {
+                drive[0][order].replace(lane, jet[order]);
+                let gap: Vec2 = gap[order];
+                let to: &mut Vector<Lanes> = &mut offset[0][order];
+                to.x.replace(lane, gap.x);
+                to.y.replace(lane, gap.y);
+            }
+        }
+        let all = |of: &dyn Fn(usize) -> f64| Lanes::from_arr(std::array::from_fn(of));
+        let bodies = 0..poses[0].len();
+        let wide_poses: Vec<Pose<Lanes>> = { bodies.clone() }
+            .map(|body| Pose {
+                r: Vector::new(all(&|k| poses[k][body].r.x), all(&|k| poses[k][body].r.y)),
+                theta: all(&|k| poses[k][body].theta),
+                cos: all(&|k| poses[k][body].cos),
+                sin: all(&|k| poses[k][body].sin),
+            })
+            .collect();
+        let wide_twists: Vec<Twist<Lanes>> = bodies
+            .map(|body| Twist {
+                v: Vector::new(all(&|k| twists[k][body].v.x), all(&|k| twists[k][body].v.y)),
+                omega: all(&|k| twists[k][body].omega),
+            })
+            .collect();
+        let wide = Kinematics {
+            poses: &wide_poses,
+            twists: &wide_twists,
+            drive: &drive,
+            offset: &offset,
+            sides: &[],
+            states: &[],
+            contacts: &[],
+            time: 0.0,
+        };
+        let zero = |count: usize| vec![Lanes::ZERO; count];
+        let mut found = [zero(rows), zero(entries), zero(rows), zero(rows)];
+        abreast.position(&wide, &mut found[0]);
+        abreast.jacobian(&wide, &mut found[1]);
+        abreast.rate(&wide, &mut found[2]);
+        abreast.gamma(&wide, &mut found[3]);
+        for (lane, time) in times.into_iter().enumerate() {
+            let alone = along(time, |at| {
+                let mut alone = [rows, entries, rows, rows].map(|count| vec![0.0; count]);
+                again.position(at, &mut alone[0]);
+                again.jacobian(at, &mut alone[1]);
+                again.rate(at, &mut alone[2]);
+                again.gamma(at, &mut alone[3]);
+                alone
+            });
+            for (found, alone) in found.iter().zip(alone) {
+                for (found, alone) in found.iter().zip(alone) {
+                    let off = (found.extract(lane) - alone).abs();
+                    assert!(off <= 1e-14 * alone.abs().max(1.0), "{name}: {off:e}");
+                }
+            }
+        }
+    }
+    assert!(seen >= 15, "{seen}");
 }
 
 #[test]

@@ -9,7 +9,7 @@
 //!
 //! Lengths are scaled by the mechanism's size (tilde). Redundant rows do no harm; W is M, where masses are known.
 
-use crate::element::Constraint;
+use crate::element::{Constraint, Equations as _};
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::lu::SparseLu;
 use linkdyn_linear::math::max_abs;
@@ -34,7 +34,7 @@ pub fn least_velocity(
     near: Option<&[f64]>,
 ) -> (Vec<f64>, Vec<f64>) {
     let n = system.n();
-    let equations = Equations::new(system, q, inputs, with_initial);
+    let equations = VelocityEquations::new(system, q, inputs, with_initial);
     let mut v: Vec<f64> = match near {
         Some(near) => near
             .iter()
@@ -63,7 +63,7 @@ pub fn least_velocity(
 /// What is prescribed of velocities besides the joints: scaled rows (n each) of drivers and initial velocities, and what they
 /// are to be.
 pub fn prescribed(system: &System, q: &[f64], inputs: &Inputs) -> (Vec<Vec<f64>>, Vec<f64>) {
-    let Equations { rows, rhs } = Equations::new(system, q, inputs, true);
+    let VelocityEquations { rows, rhs } = VelocityEquations::new(system, q, inputs, true);
     let dense = |row: &Vec<(usize, f64)>| {
         let mut dense = vec![0.0; system.n()];
         row.iter()
@@ -78,12 +78,12 @@ pub fn prescribed(system: &System, q: &[f64], inputs: &Inputs) -> (Vec<Vec<f64>>
 }
 
 /// J̃ ṽ = r̃: rows of the system, then one per initial velocity.
-struct Equations {
+struct VelocityEquations {
     rows: Vec<Vec<(usize, f64)>>,
     rhs: Vec<f64>,
 }
 
-impl Equations {
+impl VelocityEquations {
     fn new(system: &System, q: &[f64], inputs: &Inputs, with_initial: bool) -> Self {
         let mut evaluation = Evaluation::new(system);
         evaluation.set_position(q);
@@ -119,7 +119,7 @@ impl Equations {
             rows.push(row.collect());
             rhs.push(-rate.value / scale);
         }
-        Equations { rows, rhs }
+        VelocityEquations { rows, rhs }
     }
 
     /// r̃ − J̃ ṽ.

@@ -1,7 +1,7 @@
 //! Ranks of the constraints at a position.
 
 use crate::element::coordinate::Coordinate;
-use crate::element::{Constraint, Kinematics};
+use crate::element::{Constraint, Equations, Kinematics};
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_linear::rank::{
     BadEntry, DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,

@@ -30,7 +30,7 @@ pub use curve::Curve;
 pub use seen::Meeting;
 pub use support::Support;
 
-use super::{Axis, BodyId, Constraint, Entry, Kinematics, Marker, Measure, Slope};
+use super::{Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 use std::sync::Arc;
 
@@ -223,16 +223,7 @@ impl Cam {
     }
 }
 
-impl Constraint for Cam {
-    fn rows(&self) -> &'static [Measure] {
-        &[Measure::Length]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        let of = |body: BodyId| AXES.map(|axis| (0, body, axis));
-        [of(self.cam.body), of(self.follower.body)].concat()
-    }
-
+impl Equations for Cam {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         phi[0] = self.local(at).phi;
     }
@@ -270,6 +261,17 @@ impl Constraint for Cam {
                 - first * first * n.dot(&local.w)
                 - local.bend * slip * slip
         };
+    }
+}
+
+impl Constraint for Cam {
+    fn rows(&self) -> &'static [Measure] {
+        &[Measure::Length]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        let of = |body: BodyId| AXES.map(|axis| (0, body, axis));
+        [of(self.cam.body), of(self.follower.body)].concat()
     }
 
     fn curvature_pattern(&self) -> Vec<Slope> {

@@ -8,7 +8,7 @@
 //! c̈ = Rᵀ (a − a_B) − α_B ĉ − 2 ω_B û − ω_B² c       u = Rᵀ (v − v_B)
 //! ```
 
-use crate::element::{Axis, BodyId, Constraint, Entry, Kinematics, Measure};
+use crate::element::{Axis, BodyId, Constraint, Entry, Equations, Kinematics, Measure};
 use crate::mechanism::continuation::Branch;
 use linkdyn_linear::math::Vec2;
 use std::sync::Arc;
@@ -190,20 +190,7 @@ const MEASURES: [[Measure; 3]; 8] = [
     [A, A, A],
 ];
 
-impl Constraint for OnBranch {
-    fn rows(&self) -> &'static [Measure] {
-        let angles = self
-            .coordinates
-            .iter()
-            .enumerate()
-            .map(|(k, coordinate)| usize::from(coordinate.axis == Axis::Theta) << k);
-        &MEASURES[angles.sum::<usize>()][..self.columns.len()]
-    }
-
-    fn entries(&self) -> Vec<Entry> {
-        self.entries.clone()
-    }
-
+impl Equations for OnBranch {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let s = self.independent.value(at);
         let coordinates = self.columns.iter().zip(&self.coordinates);
@@ -237,6 +224,21 @@ impl Constraint for OnBranch {
             let [_, d, dd] = self.branch.jet(column, s);
             *gamma = dd * rate * rate - coordinate.bend(at) + d * bend;
         }
+    }
+}
+
+impl Constraint for OnBranch {
+    fn rows(&self) -> &'static [Measure] {
+        let angles = self
+            .coordinates
+            .iter()
+            .enumerate()
+            .map(|(k, coordinate)| usize::from(coordinate.axis == Axis::Theta) << k);
+        &MEASURES[angles.sum::<usize>()][..self.columns.len()]
+    }
+
+    fn entries(&self) -> Vec<Entry> {
+        self.entries.clone()
     }
 
     /// The joints' own equations tell their reactions.
