@@ -78,6 +78,9 @@ impl Mechanism {
 }
 
 impl Family {
+    /// How many variants are worked out side by side, see [`Member::expect`].
+    pub const ABREAST: usize = analysis::ABREAST;
+
     /// Begins; each thread has its own.
     pub fn member(&self) -> Member<'_> {
         self.member_under(Control::default())
@@ -101,6 +104,23 @@ impl Family {
 }
 
 impl Member<'_> {
+    /// Says whose responses [`Member::run`] is asked for next. Where drivers prescribe the motion the first [`Family::ABREAST`] of
+    /// them are worked out side by side, which takes little longer than one; responses are the same with and without it.
+    ///
+    /// # Panics
+    /// Where there are not as many values as parameters.
+    pub fn expect(&mut self, variants: &[&[f64]]) {
+        let fixed = &self.family.fixed;
+        let wanted = self.family.family.parameters() - fixed.len();
+        let whole = |values: &&[f64]| {
+            assert_eq!(values.len(), wanted, "one value for each parameter");
+            [*values, fixed].concat()
+        };
+        let all: Vec<Vec<f64>> = variants.iter().take(Family::ABREAST).map(whole).collect();
+        let all: Vec<&[f64]> = all.iter().map(Vec::as_slice).collect();
+        self.member.expect(&all);
+    }
+
     /// Works out the responses for values of the parameters \[SI\], in their order; NaN where one has none. How the run ended
     /// is no error: then all responses are NaN that need the whole of it.
     ///

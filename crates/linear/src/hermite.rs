@@ -146,6 +146,51 @@ fn weights<const K: usize>(at: &Each<K>, s: f64) -> [Jet<Each<K>>; 3] {
     ]
 }
 
+/// What the data of nodes are multiplied by in the polynomial that meets them, at `s`: of each node as many of q, q′, q″ as it
+/// says, of all nodes behind each other.
+pub fn value_weights(nodes: &[(f64, usize)], s: f64) -> Vec<f64> {
+    let count = nodes.iter().map(|(_, count)| count).sum();
+    let mut x = Vec::with_capacity(count);
+    // where the data of the node of each begin
+    let mut begin = Vec::with_capacity(count);
+    for (at, own) in nodes {
+        begin.resize(x.len() + own, x.len());
+        x.resize(x.len() + own, *at);
+    }
+    if count == nodes.len() {
+        // Lagrange's form
+        let weight = |j: usize| {
+            let others = (0..count).filter(|i| *i != j);
+            others.fold(1.0, |product, i| product * ((s - x[i]) / (x[j] - x[i])))
+        };
+        return (0..count).map(weight).collect();
+    }
+    let mut column = vec![0.0; count];
+    let mut weights = Vec::with_capacity(count);
+    for datum in 0..count {
+        // Newton's form of the polynomial of which this datum is 1, and all others are 0
+        let (own, order) = (begin[datum], datum - begin[datum]);
+        for (c, begin) in column.iter_mut().zip(&begin) {
+            *c = f64::from(*begin == own && order == 0);
+        }
+        let mut factorial = 1.0;
+        for width in 1..count {
+            factorial *= width as f64;
+            for i in (width..count).rev() {
+                let gap = x[i] - x[i - width];
+                column[i] = if gap == 0.0 {
+                    f64::from(begin[i] == own && order == width) / factorial
+                } else {
+                    (column[i] - column[i - 1]) / gap
+                };
+            }
+        }
+        let terms = column.iter().zip(&x).rev();
+        weights.push(terms.fold(0.0, |sum, (c, x)| sum * (s - x) + c));
+    }
+    weights
+}
+
 /// Components that are summed side by side, and from how many on it pays to spread the weights for that first.
 const TOGETHER: usize = 2;
 const MANY: usize = 48;

@@ -15,6 +15,7 @@
 //!
 //! Checked against dense LU on random matrices and linkages in `lu/tests.rs`.
 
+mod abreast;
 mod complex;
 mod estimate;
 mod factor;
@@ -24,6 +25,7 @@ mod pivot;
 #[cfg(test)]
 mod tests;
 
+pub use abreast::LuAbreast;
 pub use complex::{Complex, ComplexLu};
 pub use pivot::{GROWTH_LIMIT, PIVOT_THRESHOLD, SINGULAR_RATIO};
 

@@ -194,6 +194,7 @@ pub struct Substituted {
     /// The parts as trees.
     trees: Vec<Tree>,
     room: Room,
+    numbers: Vec<f64>,
 }
 
 /// Parts by which parameters are changed to see whether the model is the one that reading gives.
@@ -310,6 +311,7 @@ impl Substitution {
             model: self.nominal.clone(),
             trees: self.parts.iter().map(|part| part.tree.clone()).collect(),
             room: Room::default(),
+            numbers: Vec::with_capacity(self.leaves.len()),
         }
     }
 
@@ -331,33 +333,69 @@ impl Substitution {
         place.room.values.get(constant.parameter).copied()
     }
 
+    /// Works out the parameters with values, or deviations, in the order of the names, for [`Substitution::value`].
+    pub fn evaluate(&self, given: &[f64], place: &mut Substituted) -> bool {
+        self.chain
+            .evaluate(self.given, &self.inputs, given, &mut place.room)
+    }
+
     /// The model with values, or deviations, in the order of the names; `None` if only reading can tell what is wrong
     /// with them.
     pub fn put<'p>(&self, given: &[f64], place: &'p mut Substituted) -> Option<&'p Checked> {
-        let Substituted { model, trees, room } = place;
-        if !self.chain.evaluate(self.given, &self.inputs, given, room) {
-            return None;
+        let mut numbers = std::mem::take(&mut place.numbers);
+        let are_sound = self.numbers(given, place, &mut numbers);
+        let found = are_sound
+            .then(|| self.put_numbers(&numbers, place))
+            .flatten();
+        let is_put = found.is_some();
+        place.numbers = numbers;
+        is_put.then_some(&place.model)
+    }
+
+    /// The numbers of the model with values, in an order of its own; false if only reading can tell what is wrong with them.
+    pub fn numbers(&self, given: &[f64], place: &mut Substituted, numbers: &mut Vec<f64>) -> bool {
+        if !self.evaluate(given, place) {
+            return false;
         }
-        for leaf in &self.leaves {
+        let room = &mut place.room;
+        numbers.clear();
+        self.leaves.iter().all(|leaf| {
             let value = leaf.program.sound_value(&room.values, &mut room.stack) * leaf.factor;
+            numbers.push(value);
             // Rules on a number are on its sign: in the class of the nominal one it keeps them.
             let class = class(value);
-            let keeps = match leaf.is_place {
+            match leaf.is_place {
                 true => class.is_some(),
                 false => class == self::class(leaf.nominal),
-            };
-            if !keeps {
-                return None;
             }
-            *number(&mut trees[leaf.part], &leaf.steps)? = value;
+        })
+    }
+
+    /// Where the numbers of [`Substitution::numbers`] stand in the file, and what they are there.
+    pub fn nominal_numbers(&self) -> impl Iterator<Item = (&str, f64)> {
+        let leaves = self.leaves.iter();
+        leaves.map(|leaf| (leaf.path.as_str(), leaf.nominal))
+    }
+
+    /// The model with these numbers.
+    pub fn put_numbers<'p>(
+        &self,
+        numbers: &[f64],
+        place: &'p mut Substituted,
+    ) -> Option<&'p Checked> {
+        let Substituted {
+            model, trees, room, ..
+        } = place;
+        for (leaf, value) in self.leaves.iter().zip(numbers) {
+            *number(&mut trees[leaf.part], &leaf.steps)? = *value;
         }
-        let numbers = model.numbers();
+        let words = model.numbers();
         for (part, tree) in self.parts.iter().zip(trees) {
-            part.put(tree, numbers)?;
+            part.put(tree, words)?;
         }
         for one in &self.constants {
-            numbers.responses[one.response].parameters[one.constant].value =
-                room.values[one.parameter];
+            let value = room.values.get(one.parameter)?;
+            words.responses[one.response].parameters[one.constant].value = *value;
         }
         Some(model)
     }

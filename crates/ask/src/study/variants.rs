@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use linkdyn_engine::analysis::{Control, Family, Member};
+use linkdyn_engine::analysis::{ABREAST, Control, Family, Member};
 use linkdyn_output::Status;
 use linkdyn_study::chunks::{ChunkFault, Rows};
 
@@ -33,6 +33,9 @@ pub struct Variants {
 
 /// A row: why it has no result, inputs, responses.
 type Made = (Option<String>, Vec<f64>, Vec<f64>);
+
+/// The inputs of a variant, and what the family is given for them.
+type Given = [Vec<f64>; 2];
 
 /// Variants that a thread takes at once where they are found beside the nominal one; a run of its own takes long enough alone.
 const SOME: u64 = 16;
@@ -190,8 +193,17 @@ impl Variants {
                 let from = next.fetch_add(some, Ordering::Relaxed);
                 let all = from..end.min(from.saturating_add(some));
                 let wanted = all.clone().count();
-                let made = all.map_while(|variant| self.row(&mut member, variant, control));
-                let made: Vec<Made> = made.collect();
+                let mut made: Vec<Made> = Vec::with_capacity(wanted);
+                let all: Vec<Given> = all.map(|variant| self.values(variant)).collect();
+                'rows: for some in all.chunks(ABREAST) {
+                    self.expect(&mut member, some);
+                    for own in some {
+                        let Some(row) = self.row(&mut member, own, control) else {
+                            break 'rows;
+                        };
+                        made.push(row);
+                    }
+                }
                 let is_last = made.is_empty() || made.len() < wanted;
                 let mut growing = growing.lock().unwrap_or_else(PoisonError::into_inner);
                 growing.take(from, made);
@@ -209,16 +221,35 @@ impl Variants {
         growing.failure.map_or(Ok(is_whole), Err)
     }
 
+    /// Inputs of a variant, and what is given for them.
+    fn values(&self, variant: u64) -> Given {
+        let inputs = vec![0.0; self.inputs.inputs.len()];
+        let mut own = [inputs.clone(), inputs];
+        let [inputs, given] = &mut own;
+        self.inputs.values(variant, inputs, given);
+        own
+    }
+
+    /// Says which variants come next. A fault of linkdyn is left to the row that meets it.
+    fn expect<'f>(&'f self, member: &mut Member<'f>, variants: &[Given]) {
+        let given: Vec<&[f64]> = variants.iter().map(|[_, given]| &given[..]).collect();
+        if caught(|| member.expect(&given)).is_err() {
+            *member = self.family.begin();
+        }
+    }
+
     /// One variant; `None` if it was interrupted. A fault of linkdyn spoils this row alone.
-    fn row<'f>(&'f self, member: &mut Member<'f>, variant: u64, control: &Control) -> Option<Made> {
+    fn row<'f>(
+        &'f self,
+        member: &mut Member<'f>,
+        [inputs, given]: &Given,
+        control: &Control,
+    ) -> Option<Made> {
         if control.interrupted.load(Ordering::Relaxed) {
             return None;
         }
-        let mut inputs = vec![0.0; self.inputs.inputs.len()];
-        let mut given = inputs.clone();
         let mut responses = vec![f64::NAN; self.family.responses().len()];
-        self.inputs.values(variant, &mut inputs, &mut given);
-        let reason = match caught(|| self.run(member, &given, control, &mut responses)) {
+        let reason = match caught(|| self.run(member, given, control, &mut responses)) {
             Ok(ended) => ended?,
             Err(said) => {
                 *member = self.family.begin();
@@ -226,7 +257,7 @@ impl Variants {
                 Some(format!("failed: {said}"))
             }
         };
-        Some((reason, inputs, responses))
+        Some((reason, inputs.clone(), responses))
     }
 
     /// Why a variant has no result, where it has none; nothing where it was interrupted.

@@ -47,7 +47,7 @@ pub mod words;
 pub use check::{Check, Lack, check};
 pub use control::{Control, Stop};
 pub use dynamics::{Snapshot, Stepped};
-pub use family::{Ended, Family, Member};
+pub use family::{ABREAST, Ended, Family, Member};
 pub use modes::{Linearised, Mode, modes};
 pub use outcome::Outcome;
 pub use progress::Progress;

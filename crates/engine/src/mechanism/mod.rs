@@ -16,6 +16,7 @@
 //! continuation      the path of a driven mechanism, branch-safe, with its singular positions
 //! ```
 
+pub(crate) mod abreast;
 pub(crate) mod branching;
 pub(crate) mod closing;
 pub mod continuation;

@@ -114,6 +114,20 @@ impl Evaluation {
         }
     }
 
+    /// Takes the coordinates (n), with the cosine and the sine of each body's angle.
+    pub(crate) fn set_poses(&mut self, q: &[f64], turns: impl Iterator<Item = [f64; 2]>) {
+        let poses = self.poses[1..].iter_mut().zip(self.layout.bodies());
+        for ((pose, columns), [cos, sin]) in poses.zip(turns) {
+            let [x, y, theta] = columns.read(q);
+            *pose = Pose {
+                r: Vec2::new(x, y),
+                theta,
+                cos,
+                sin,
+            };
+        }
+    }
+
     /// Takes the velocities (n).
     pub fn set_velocity(&mut self, v: &[f64]) {
         for (twist, columns) in self.twists[1..].iter_mut().zip(self.layout.bodies()) {

@@ -7,7 +7,7 @@ use crate::element::cam::Cam;
 use crate::element::journal::Bearing;
 use crate::element::pair::ContactId;
 use crate::element::revolute::Revolute;
-use crate::element::{BodyId, Marker};
+use crate::element::{BodyId, Constraint, Marker};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -105,6 +105,35 @@ impl JointData {
         self.pin = None;
         self.change_extras(|extras| extras.points = Some(points));
         self
+    }
+
+    /// Whether its points are all its numbers.
+    pub(super) fn is_numbered(&self) -> bool {
+        let mut rest = self.clone();
+        rest.change_extras(|extras| {
+            extras.role = PLAIN.role;
+            extras.torque = false;
+            extras.points = None;
+        });
+        rest.extras.is_none()
+    }
+
+    /// The constraint of an ideal pin with other numbers, which is its own from now on.
+    pub(super) fn renumber_pin(
+        &mut self,
+        number: &mut dyn FnMut(f64) -> f64,
+    ) -> Option<Arc<dyn Constraint>> {
+        let pin = self.pin.as_mut()?;
+        *pin = Arc::new(pin.map(number));
+        Some(pin.clone())
+    }
+
+    /// Other numbers of the points of what is no pin.
+    pub(super) fn renumber_points(&mut self, number: &mut dyn FnMut(f64) -> f64) {
+        let extras = self.extras.as_deref_mut();
+        if let Some(points) = extras.and_then(|extras| extras.points.as_mut()) {
+            *points = points.map(|point| point.map(&mut *number));
+        }
     }
 
     /// What kind of joint it is, for results and pictures.

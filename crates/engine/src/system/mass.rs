@@ -26,6 +26,11 @@ impl Mass {
             .extend_from_slice(&other.diagonal[columns.range()]);
     }
 
+    /// Replaces each entry.
+    pub(super) fn renumber(&mut self, number: &mut dyn FnMut(f64) -> f64) {
+        self.diagonal.iter_mut().for_each(|own| *own = number(*own));
+    }
+
     /// Gives back the room into which it has grown.
     pub(super) fn shrink(&mut self) {
         self.diagonal.shrink_to_fit();

@@ -17,6 +17,7 @@ mod joint;
 mod led;
 mod mass;
 mod matrices;
+mod numbers;
 mod pushes;
 mod roles;
 mod rows;

@@ -182,3 +182,38 @@ fn neville_repeats_a_polynomial() {
     let x = [-1.0, 0.5, 1.0, 2.0];
     assert!((interpolate(&x, &x.map(f), 0.3) - f(0.3)).abs() < 1e-14);
 }
+
+#[test]
+fn weights_meet_what_each_node_says() {
+    // x⁵ − 2x³ + x, of which nodes say one, two or three data
+    let jet = |x: f64| {
+        let value = x.powi(5) - 2.0 * x.powi(3) + x;
+        [
+            value,
+            5.0 * x.powi(4) - 6.0 * x * x + 1.0,
+            20.0 * x.powi(3) - 12.0 * x,
+        ]
+    };
+    for nodes in [
+        &[(0.3, 3), (0.7, 3)][..],
+        &[(-0.2, 3), (0.1, 1), (0.5, 2)],
+        &[(0.0, 1), (0.2, 1), (0.5, 1), (0.9, 1), (1.1, 1), (1.2, 1)],
+        &[(0.4, 2), (1.0, 3), (1.3, 1), (1.5, 1)],
+    ] {
+        for s in [-0.5, 0.35, 2.0] {
+            let data = nodes
+                .iter()
+                .flat_map(|(at, count)| jet(*at)[..*count].to_vec());
+            let weights = value_weights(nodes, s);
+            let found: f64 = weights
+                .iter()
+                .zip(data)
+                .map(|(weight, own)| weight * own)
+                .sum();
+            let largest = weights
+                .iter()
+                .fold(1.0, |most: f64, own| most.max(own.abs()));
+            assert!((found - jet(s)[0]).abs() < 1e-14 * largest, "{nodes:?} {s}");
+        }
+    }
+}

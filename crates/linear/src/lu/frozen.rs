@@ -18,6 +18,7 @@
 #[cfg(test)]
 mod tests;
 
+use super::super::math::Real;
 use super::super::pattern::Pattern;
 use super::super::triangle::Triangle;
 use super::pivot::{SINGULAR_RATIO, magnitude};
@@ -28,19 +29,19 @@ const LISTED: u64 = 1 << 22;
 
 /// Factors on a frozen pattern.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Frozen {
+pub(super) struct Frozen<T = f64> {
     /// How many entries L(:, k) and U(k, :) have.
-    lengths: Vec<[u32; 2]>,
+    pub lengths: Vec<[u32; 2]>,
     /// 1/x_kk; L by columns, each by rows upwards; U by rows, each by columns downwards. What becomes them stands in their places
     /// before. While pivots are chosen, a column to work in.
-    pub numbers: Vec<f64>,
+    pub numbers: Vec<T>,
     /// The row and the column of each entry of L, and the column of each of U.
-    lower_places: Vec<[u32; 2]>,
+    pub lower_places: Vec<[u32; 2]>,
     upper_places: Vec<u32>,
     /// Where each entry of A goes.
-    slots: Vec<u32>,
+    pub slots: Vec<u32>,
     /// Where products go: for each k, for each u of its row, those with all l.
-    targets: Vec<u32>,
+    pub targets: Vec<u32>,
     /// Where they are not listed.
     columns: Columns,
     /// Whether products are listed, and how many may be.
@@ -150,18 +151,6 @@ impl Frozen {
         self.lengths.len() + self.lower_places.len() + self.upper_places.len()
     }
 
-    /// 1/x_kk, L and U.
-    fn parts(&self) -> [&[f64]; 3] {
-        let (pivots, rest) = self.numbers.split_at(self.lengths.len());
-        let (lower, upper) = rest.split_at(self.lower_places.len());
-        [pivots, lower, upper]
-    }
-
-    /// 1/x_kk.
-    pub fn inverse_pivots(&self) -> &[f64] {
-        &self.numbers[..self.lengths.len()]
-    }
-
     /// Takes the factors of a choice of pivots, whose inverses stand by rows.
     pub fn take(
         &mut self,
@@ -253,6 +242,7 @@ impl Frozen {
         }
     }
 
+    /// By the lists.
     fn repeat_lists(&mut self, matrix: &Matrix) -> Repeated {
         self.numbers.fill(0.0);
         for (&slot, &value) in self.slots.iter().zip(matrix.values) {
@@ -291,61 +281,6 @@ impl Frozen {
         Repeated {
             growth: f64::from_bits(growth),
             is_sound: !is_small && spoilt == 0.0,
-        }
-    }
-
-    /// L z = y and U x = z for K right-hand sides together, in pivot order.
-    pub fn solve<const K: usize>(&self, y: &mut [[f64; K]]) {
-        let [inverses, lower, mut upper] = self.parts();
-        if lower.is_empty() && upper.is_empty() {
-            let pivots = y.iter_mut().zip(inverses);
-            return pivots.for_each(|(y, inverse)| *y = y.map(|y| y * inverse));
-        }
-        for (&l, &[row, column]) in lower.iter().zip(&self.lower_places) {
-            let factors = y[column as usize];
-            subtract(&mut y[row as usize], l, &factors);
-        }
-        let mut places = self.upper_places.as_slice();
-        let pivots = self.lengths.iter().zip(inverses);
-        for (k, ([_, beside], inverse)) in pivots.enumerate().rev() {
-            let begin = upper.len() - *beside as usize;
-            let (own, columns);
-            (upper, own) = upper.split_at(begin);
-            (places, columns) = places.split_at(begin);
-            let mut rest = y[k];
-            for (&u, &column) in own.iter().zip(columns) {
-                subtract(&mut rest, u, &y[column as usize]);
-            }
-            y[k] = rest.map(|rest| rest * inverse);
-        }
-    }
-
-    /// Uᵀ z = y and Lᵀ x = z for K right-hand sides together, in pivot order.
-    pub fn solve_transposed<const K: usize>(&self, y: &mut [[f64; K]]) {
-        let [inverses, mut lower, mut upper] = self.parts();
-        let mut places = self.upper_places.as_slice();
-        let pivots = self.lengths.iter().zip(inverses);
-        for (k, ([_, beside], inverse)) in pivots.enumerate() {
-            let (own, columns);
-            (own, upper) = upper.split_at(*beside as usize);
-            (columns, places) = places.split_at(*beside as usize);
-            let factors = y[k].map(|y| y * inverse);
-            y[k] = factors;
-            for (&u, &column) in own.iter().zip(columns) {
-                subtract(&mut y[column as usize], u, &factors);
-            }
-        }
-        let mut places = self.lower_places.as_slice();
-        for (k, [below, _]) in self.lengths.iter().enumerate().rev() {
-            let begin = lower.len() - *below as usize;
-            let (own, rows);
-            (lower, own) = lower.split_at(begin);
-            (places, rows) = places.split_at(begin);
-            let mut rest = y[k];
-            for (&l, &[row, _]) in own.iter().zip(rows) {
-                subtract(&mut rest, l, &y[row as usize]);
-            }
-            y[k] = rest;
         }
     }
 
@@ -414,6 +349,97 @@ impl Frozen {
     }
 }
 
+impl<T: Real> Frozen<T> {
+    /// 1/x_kk, L and U.
+    fn parts(&self) -> [&[T]; 3] {
+        let (pivots, rest) = self.numbers.split_at(self.lengths.len());
+        let (lower, upper) = rest.split_at(self.lower_places.len());
+        [pivots, lower, upper]
+    }
+
+    /// 1/x_kk.
+    pub fn inverse_pivots(&self) -> &[T] {
+        &self.numbers[..self.lengths.len()]
+    }
+
+    /// L z = y and U x = z for K right-hand sides together, in pivot order.
+    pub fn solve<const K: usize>(&self, y: &mut [[T; K]]) {
+        let [inverses, lower, mut upper] = self.parts();
+        if lower.is_empty() && upper.is_empty() {
+            let pivots = y.iter_mut().zip(inverses);
+            return pivots.for_each(|(y, inverse)| *y = y.map(|y| y * *inverse));
+        }
+        for (&l, &[row, column]) in lower.iter().zip(&self.lower_places) {
+            let factors = y[column as usize];
+            subtract(&mut y[row as usize], l, &factors);
+        }
+        let mut places = self.upper_places.as_slice();
+        let pivots = self.lengths.iter().zip(inverses);
+        for (k, ([_, beside], inverse)) in pivots.enumerate().rev() {
+            let begin = upper.len() - *beside as usize;
+            let (own, columns);
+            (upper, own) = upper.split_at(begin);
+            (places, columns) = places.split_at(begin);
+            let mut rest = y[k];
+            for (&u, &column) in own.iter().zip(columns) {
+                subtract(&mut rest, u, &y[column as usize]);
+            }
+            y[k] = rest.map(|rest| rest * *inverse);
+        }
+    }
+
+    /// Uᵀ z = y and Lᵀ x = z for K right-hand sides together, in pivot order.
+    pub fn solve_transposed<const K: usize>(&self, y: &mut [[T; K]]) {
+        let [inverses, mut lower, mut upper] = self.parts();
+        let mut places = self.upper_places.as_slice();
+        let pivots = self.lengths.iter().zip(inverses);
+        for (k, ([_, beside], inverse)) in pivots.enumerate() {
+            let (own, columns);
+            (own, upper) = upper.split_at(*beside as usize);
+            (columns, places) = places.split_at(*beside as usize);
+            let factors = y[k].map(|y| y * *inverse);
+            y[k] = factors;
+            for (&u, &column) in own.iter().zip(columns) {
+                subtract(&mut y[column as usize], u, &factors);
+            }
+        }
+        let mut places = self.lower_places.as_slice();
+        for (k, [below, _]) in self.lengths.iter().enumerate().rev() {
+            let begin = lower.len() - *below as usize;
+            let (own, rows);
+            (lower, own) = lower.split_at(begin);
+            (places, rows) = places.split_at(begin);
+            let mut rest = y[k];
+            for (&l, &[row, _]) in own.iter().zip(rows) {
+                subtract(&mut rest, l, &y[row as usize]);
+            }
+            y[k] = rest;
+        }
+    }
+}
+
+impl Frozen {
+    /// How many there are.
+    pub fn pivots(&self) -> usize {
+        self.lengths.len()
+    }
+
+    /// Of other numbers, where products are listed.
+    pub fn of<T: Real>(&self) -> Option<Frozen<T>> {
+        self.is_listed.then(|| Frozen {
+            lengths: self.lengths.clone(),
+            numbers: vec![T::zero(); self.numbers.len()],
+            lower_places: self.lower_places.clone(),
+            upper_places: self.upper_places.clone(),
+            slots: self.slots.clone(),
+            targets: self.targets.clone(),
+            columns: Columns::default(),
+            is_listed: true,
+            most: self.most,
+        })
+    }
+}
+
 fn refill<T: Copy>(list: &mut Vec<T>, count: usize, value: T) {
     list.clear();
     // What is frozen does not grow, and pivots are seldom others: room for many more is given back.
@@ -425,6 +451,6 @@ fn refill<T: Copy>(list: &mut Vec<T>, count: usize, value: T) {
 }
 
 /// a −= factor·b.
-fn subtract<const K: usize>(a: &mut [f64; K], factor: f64, b: &[f64; K]) {
-    a.iter_mut().zip(b).for_each(|(a, b)| *a -= factor * b);
+fn subtract<T: Real, const K: usize>(a: &mut [T; K], factor: T, b: &[T; K]) {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a -= factor * *b);
 }

@@ -32,8 +32,11 @@
 mod along;
 mod around;
 mod ended;
+mod guess;
+mod march;
 mod mechanisms;
 mod needs;
+mod numbers;
 mod perturbed;
 mod resting;
 mod slopes;
@@ -45,10 +48,13 @@ use super::question::Kind;
 use super::responses::Responses;
 use super::run::Prepared;
 pub use ended::Ended;
+/// How many variants are worked out side by side.
+pub use linkdyn_linear::math::WIDTH as ABREAST;
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Given, Loaded, Source, Substitution};
 use mechanisms::Mechanisms;
-use needs::Needs;
+use needs::{Depth, Needs};
+use numbers::Numbers;
 use perturbed::PerturbedSolver;
 use resting::Resting;
 use track::{Changes, Track};
@@ -60,9 +66,13 @@ pub struct Family {
     given: Given,
     /// The values of the file, or no deviation.
     nominal: Vec<f64>,
+    /// How large the parameters are.
+    lengths: Vec<f64>,
     substitution: Option<Substitution>,
     prepared: Prepared,
     ways: Ways,
+    /// How numbers follow without the compiler, of variants that are found beside the nominal mechanism.
+    numbers: Option<Numbers>,
 }
 
 /// How variants are worked out.
@@ -134,11 +144,19 @@ impl Family {
             names,
             given,
         );
-        let ways = substitution.as_ref();
-        let ways = ways.map_or(Ways::Alone, |own| Ways::new(&prepared, own));
+        let own = substitution.as_ref();
+        let ways = own.map_or(Ways::Alone, |own| Ways::new(&prepared, own));
+        let numbers = match (&ways, own) {
+            (Ways::Perturbed(track), Some(own)) if !track.needs.follow() => {
+                let with_forces = track.needs.depth(track.reactions) == Depth::Forces;
+                mechanisms::numbers(own, prepared.parts().0, with_forces)
+            }
+            _ => None,
+        };
         Ok(Family {
             source: loaded.source.clone(),
             names: names.iter().map(|name| (*name).to_owned()).collect(),
+            lengths: values.iter().map(|value| value.abs()).collect(),
             nominal: match given {
                 Given::Values => values,
                 Given::Deviations => vec![0.0; names.len()],
@@ -147,6 +165,7 @@ impl Family {
             substitution,
             prepared,
             ways,
+            numbers,
         })
     }
 
@@ -172,11 +191,16 @@ impl Family {
         let responses = self.responses();
         Member {
             family: self,
-            mechanisms: mechanisms.map(|substitution| Mechanisms::new(substitution, &self.nominal)),
+            mechanisms: mechanisms.map(|substitution| {
+                let numbers = self.numbers.as_ref();
+                let numbers = numbers.map(|numbers| (numbers, system.clone()));
+                Mechanisms::new(substitution, [&self.nominal, &self.lengths], numbers)
+            }),
             way: match &self.ways {
-                Ways::Perturbed(track) => MemberSolver::Perturbed(Box::new(PerturbedSolver::new(
-                    track, system, responses,
-                ))),
+                Ways::Perturbed(track) => PerturbedSolver::new(track, system, responses)
+                    .map_or(MemberSolver::Alone, |own| {
+                        MemberSolver::Perturbed(Box::new(own))
+                    }),
                 Ways::AtRest(needs) => {
                     MemberSolver::AtRest(Box::new(Resting::new(needs, responses)))
                 }
@@ -250,9 +274,22 @@ impl Member<'_> {
     /// Keeps the motion of each run from now on, for [`Member::slopes`].
     pub fn keep_motion(&mut self) {
         match &mut self.way {
-            MemberSolver::Perturbed(perturbed) => perturbed.keep_motion(),
+            MemberSolver::Perturbed(perturbed) => {
+                perturbed.keep_motion(self.family.prepared.parts().0);
+            }
             MemberSolver::AtRest(resting) => resting.keep_motion(),
             MemberSolver::Alone => {}
+        }
+    }
+
+    /// Says which variants are run next. Where they are found beside the nominal mechanism, as many of them as [`ABREAST`] are
+    /// worked out side by side; what comes out of each is the same.
+    pub fn expect(&mut self, variants: &[&[f64]]) {
+        let Member {
+            mechanisms, way, ..
+        } = self;
+        if let (Some(mechanisms), MemberSolver::Perturbed(perturbed)) = (mechanisms, way) {
+            perturbed.follow(&variants[..variants.len().min(ABREAST)], mechanisms);
         }
     }
 

@@ -177,6 +177,11 @@ impl Needs {
         self.places.len()
     }
 
+    /// Whether something follows from rows.
+    pub fn follow(&self) -> bool {
+        self.wanted.is_some()
+    }
+
     /// How much of an instant they need, where forces are known.
     pub fn depth(&self, reactions: bool) -> Depth {
         match (self.channels.are_positions(), self.channels.have_forces()) {

@@ -65,7 +65,7 @@ impl<'f> Resting<'f> {
     ) -> Option<Ended> {
         self.kept = None;
         let system = mechanisms.at(values, 1.0)?;
-        mechanisms.tell(self.responses, &mut self.evaluation);
+        mechanisms.tell(values, self.responses, &mut self.evaluation);
         self.evaluation.restart();
         let status = match self.rest(&system, values, control) {
             Ok(()) => Status::Completed,

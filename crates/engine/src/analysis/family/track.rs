@@ -30,6 +30,7 @@ pub struct Track {
     pub solver: Aside,
     pub reactions: bool,
     pub needs: Needs,
+    pub changes: Changes,
 }
 
 /// The nominal mechanism at an instant.
@@ -37,9 +38,7 @@ pub struct Station {
     pub instant: OutputInstant,
     /// An output, not put between.
     pub is_output: bool,
-    pub q: Vec<f64>,
-    pub v: Vec<f64>,
-    pub a: Vec<f64>,
+    pub node: Node,
     /// Sign of det J.
     pub sign: f64,
     /// Half-way from the station before.
@@ -91,6 +90,7 @@ impl Track {
             solver: follower.driven.set_aside(),
             reactions: settings.reactions,
             needs: Needs::new(prepared)?,
+            changes,
         })
     }
 }
@@ -147,12 +147,10 @@ impl<'s> Follower<'s> {
         self.driven.velocity(&self.inputs, &mut node.d);
         self.driven.acceleration(&self.inputs, &mut node.dd);
         Some(Station {
+            sign: self.driven.determinant_sign(),
             instant,
             is_output,
-            q: node.q,
-            v: node.d,
-            a: node.dd,
-            sign: self.driven.determinant_sign(),
+            node,
             middle: None,
         })
     }
@@ -176,13 +174,7 @@ impl<'s> Follower<'s> {
     /// Adds a station, and those that are needed on the way to it.
     fn reach(&mut self, stations: &mut Vec<Station>, mut next: Station, left: u32) -> Option<()> {
         let last = stations.last()?;
-        let node = |station: &Station| Node {
-            s: station.instant.time,
-            q: station.q.clone(),
-            d: station.v.clone(),
-            dd: station.a.clone(),
-        };
-        let (from, to) = (node(last), node(&next));
+        let (from, to) = (&last.node, &next.node);
         if to.s <= from.s {
             return None;
         }
@@ -191,11 +183,11 @@ impl<'s> Follower<'s> {
             exact: None,
         };
         let middle = self.station(half_way, false)?;
-        let mut guess = middle.q.clone();
-        quintic(&from, &to, half_way.time, &mut guess, None);
+        let mut guess = middle.node.q.clone();
+        quintic(from, to, half_way.time, &mut guess, None);
         guess
             .iter_mut()
-            .zip(&middle.q)
+            .zip(&middle.node.q)
             .for_each(|(q, exact)| *q -= exact);
         if self.driven.system.scaled_norm(&guess) > SMOOTH {
             if left == 0 {
@@ -206,7 +198,7 @@ impl<'s> Follower<'s> {
         }
         next.middle = Some(Middle {
             time: half_way.time,
-            q: middle.q,
+            q: middle.node.q,
         });
         stations.push(next);
         Some(())

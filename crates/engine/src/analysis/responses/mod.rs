@@ -170,6 +170,12 @@ impl Responses {
         }
     }
 
+    /// Whether no rows but the first and the last matter for any of them.
+    pub fn take_ends(&self) -> bool {
+        let mut reducers = self.reducers.iter();
+        reducers.all(|reducer| matches!(reducer.reduction, Reduction::First | Reduction::Last))
+    }
+
     /// Whether the motion between rows matters for any of them.
     pub fn look_between(&self) -> bool {
         self.reducers.iter().any(|reducer| match reducer.reduction {

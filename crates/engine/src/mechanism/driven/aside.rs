@@ -83,6 +83,12 @@ impl Aside {
         self.lu.fallbacks()
     }
 
+    /// Slots of the entries of J, and its factors; `None` where rows are redundant or coordinates are prescribed.
+    pub(in crate::mechanism) fn factors(&self) -> Option<(&[u32], &SparseLu)> {
+        let is_plain = self.selection.redundant.is_empty() && self.independent.is_empty();
+        is_plain.then_some((&self.slots[..], &self.lu))
+    }
+
     /// Takes the order and the pivots of another one of the same mechanism.
     pub(crate) fn restore(&mut self, other: &Aside) {
         self.lu.clone_from(&other.lu);

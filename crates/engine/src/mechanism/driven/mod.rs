@@ -65,7 +65,7 @@ pub struct Correction {
 
 /// A residual of this size (lengths by the mechanism's size) is round-off of evaluating φ: a few ulps of coordinates of
 /// the order of the size.
-const RESIDUAL_FLOOR: f64 = 4e-15;
+pub(super) const RESIDUAL_FLOOR: f64 = 4e-15;
 /// After a Newton step of this size the next one, its square times the curvature, is below round-off.
 pub const LAST_STEP: f64 = 1e-10;
 /// Residual above which the redundant rows do not hold (they must, to round-off, when the independent ones do).

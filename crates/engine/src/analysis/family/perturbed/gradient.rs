@@ -4,7 +4,7 @@ use super::super::around::Around;
 use super::super::mechanisms::Mechanisms;
 use super::super::needs::{State, duals};
 use super::super::slopes::{Along, Slopes, WantedColumns};
-use super::{PerturbedSolver, place};
+use super::{PerturbedSolver, VariantMarch, place};
 use crate::analysis::clearance_link::{balance, carried};
 use crate::analysis::derived::Derived;
 use crate::analysis::responses::Dual;
@@ -31,8 +31,13 @@ struct GradientInstants<'i, 'f, 's> {
 
 impl PerturbedSolver<'_> {
     /// Keeps motions from now on, for derivatives.
-    pub fn keep_motion(&mut self) {
-        self.keeps = true;
+    pub fn keep_motion(&mut self, nominal: &System) {
+        if !self.keeps
+            && let Some(march) = VariantMarch::new(self.track, nominal, true)
+        {
+            self.march = march;
+            self.keeps = true;
+        }
     }
 
     /// Whether the motion of these values is kept.
