@@ -297,6 +297,13 @@ fn compare(
             // sides are not twice as far apart with twice the step.
             let is_smooth = (wide_apart - 2.0 * apart).abs() <= 1e-6 * size;
             let is_settled = (near - wide).abs() <= SETTLED * size && is_smooth;
+            // Of a sum of forces that cancel there is round-off, and so there is of its slope.
+            let text = &family.responses().list()[j].text;
+            let is_nothing = responses[j].abs() < 1e-6 && expected.abs() < 1e-6;
+            if text.contains("shaking.f") && is_nothing {
+                assert!(found.abs() < 1e-5, "{name}: {text}: {found}");
+                continue;
+            }
             if !expected.is_finite() || !is_settled {
                 continue;
             }
