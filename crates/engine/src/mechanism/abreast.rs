@@ -4,6 +4,7 @@
 //! position       J₀ Δq = −φ(q)      J₀ at the guess, repeated: Newton's first step, then chords
 //! velocity       J v   = −φ_t
 //! acceleration   J a   = γ
+//! multipliers    Jᵀ λ  = M (g − a)   where nothing but weights pulls
 //! ```
 //!
 //! What comes out for one of them does not depend on the others. A chord's steps shrink by ‖J₀⁻¹J − I‖, which the size of the
@@ -62,6 +63,8 @@ pub struct Abreast {
     rows: Vec<f64>,
     columns: Vec<f64>,
     step: Vec<Lanes>,
+    /// Diagonals of the mass matrices (n), where multipliers are wanted and nothing but weights pulls, and gravity.
+    weights: Option<(Vec<Lanes>, [Lanes; 2])>,
 }
 
 /// How corrections went.
@@ -131,6 +134,7 @@ impl Abreast {
             rows: inverse(rows),
             columns: inverse(columns),
             step: vec![Lanes::ZERO; n],
+            weights: None,
         };
         (0..WIDTH).for_each(|lane| abreast.read(lane));
         abreast.build();
@@ -153,10 +157,38 @@ impl Abreast {
         for (all, own) in self.numbers.iter_mut().zip(numbers) {
             all.replace(lane, *own);
         }
+        if let Some((masses, _)) = &mut self.weights {
+            let own = &numbers[numbers.len() - masses.len()..];
+            masses
+                .iter_mut()
+                .zip(own)
+                .for_each(|(all, own)| all.replace(lane, *own));
+        }
+    }
+
+    /// Finds multipliers from now on; whether it can: nothing but weights pulls.
+    pub fn weigh(&mut self) -> bool {
+        let system = &self.systems[0];
+        if !system.looks_at_places() {
+            let zero = vec![Lanes::ZERO; system.n()];
+            self.weights = Some((zero, [Lanes::ZERO; 2]));
+            (0..WIDTH).for_each(|lane| self.read(lane));
+        }
+        self.weights.is_some()
     }
 
     /// Reads the numbers of the mechanism at a place.
     fn read(&mut self, lane: usize) {
+        let system = &self.systems[lane];
+        if let Some((masses, gravity)) = &mut self.weights {
+            let own = system.mass.diagonal().iter();
+            masses
+                .iter_mut()
+                .zip(own)
+                .for_each(|(all, own)| all.replace(lane, *own));
+            gravity[0].replace(lane, system.gravity.x);
+            gravity[1].replace(lane, system.gravity.y);
+        }
         let (numbers, mut place) = (&mut self.numbers, 0);
         let mut note = |value: f64| {
             if place == numbers.len() {
@@ -351,6 +383,20 @@ impl Abreast {
         }
         self.each(|block, at, rows, _| block.equations.gamma(at, rows));
         self.solve(1.0, a);
+    }
+
+    /// Multipliers with the accelerations and the factors at hand, where they are found.
+    pub fn multipliers(&mut self, a: &[Lanes], lambda: &mut [Lanes]) {
+        let Some((masses, gravity)) = &self.weights else {
+            return;
+        };
+        for columns in self.layout.bodies() {
+            let pull = [gravity[0], gravity[1], Lanes::ZERO];
+            for (column, pull) in columns.range().zip(pull) {
+                self.step[column] = masses[column] * (pull - a[column]);
+            }
+        }
+        self.lu.solve_transposed(&self.step, lambda);
     }
 
     /// How far a position is from its constraints, by the factors at hand [–].

@@ -217,6 +217,18 @@ impl LuAbreast {
             x[column as usize] = value;
         }
     }
+
+    /// Solves Aᵀ x = b.
+    pub fn solve_transposed(&mut self, b: &[Lanes], x: &mut [Lanes]) {
+        for (&column, value) in self.columns.iter().zip(&mut self.vector) {
+            *value = b[column as usize];
+        }
+        let vector = self.vector.as_chunks_mut::<1>().0;
+        self.frozen.solve_transposed(vector);
+        for (&at, x) in self.position.iter().zip(x) {
+            *x = self.vector[at as usize];
+        }
+    }
 }
 
 #[cfg(test)]
@@ -274,11 +286,12 @@ mod tests {
                     .collect();
                 let b: Vec<f64> = (0..n).map(|k| 1.0 + k as f64).collect();
                 let sides: Vec<Lanes> = b.iter().map(|b| Lanes::splat(*b)).collect();
-                let mut x = vec![Lanes::ZERO; n];
+                let [mut x, mut y] = [(); 2].map(|()| vec![Lanes::ZERO; n]);
                 // twice, as nothing may be left of the first time
                 abreast.factor(free.iter().copied());
                 let sign = abreast.factor(free.into_iter());
                 abreast.solve(&sides, -1.0, &mut x);
+                abreast.solve_transposed(&sides, &mut y);
                 for (lane, values) in lanes.iter().enumerate() {
                     if sign.extract(lane) == 0.0
                         || alone.refactor(values).is_err()
@@ -290,10 +303,14 @@ mod tests {
                     assert_eq!(sign.extract(lane), alone.determinant_sign());
                     let mut own: Vec<f64> = b.iter().map(|b| -b).collect();
                     alone.solve(&mut own);
-                    let size = crate::math::max_abs(&own);
-                    for (x, own) in x.iter().zip(&own) {
-                        let off = (x.extract(lane) - own).abs();
-                        assert!(off <= 1e-9 * size, "{n}: {off:e} of {size:e}");
+                    let mut transposed = b.clone();
+                    alone.solve_transposed(&mut transposed);
+                    for (found, own) in [(&x, own), (&y, transposed)] {
+                        let size = crate::math::max_abs(&own);
+                        for (found, own) in found.iter().zip(&own) {
+                            let off = (found.extract(lane) - own).abs();
+                            assert!(off <= 1e-9 * size, "{n}: {off:e} of {size:e}");
+                        }
                     }
                 }
             }

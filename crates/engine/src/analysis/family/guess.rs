@@ -175,7 +175,13 @@ impl Interpolation {
     ) {
         let n = q.len();
         let after = stations.partition_point(|station| station.node.s < time);
-        let after = after.clamp(1, stations.len() - 1);
+        let after = after.clamp(1, self.windows.len().max(1));
+        let Some(window) = self.windows.get(after - 1) else {
+            return q
+                .iter_mut()
+                .zip(motion)
+                .for_each(|(q, own)| *q = own.extract(lane));
+        };
         quintic(
             &stations[after - 1].node,
             &stations[after].node,
@@ -183,7 +189,6 @@ impl Interpolation {
             q,
             None,
         );
-        let window = &self.windows[after - 1];
         let weights = window.at(stations, time);
         for (index, weight) in (window.first..).zip(&weights[..window.count]) {
             let own = motion[n * index..][..n].iter().zip(&stations[index].node.q);

@@ -51,6 +51,8 @@ pub struct VariantMarch<'f> {
     /// A position (n).
     q: Vec<Lanes>,
     motion: Motion,
+    /// Multipliers at all stations (m), where they are found side by side.
+    lambda: Vec<Lanes>,
     /// Cosine and sine of the angle of each body at each station.
     turns: Vec<[Lanes; 2]>,
     /// Numbers of the variants, where these tell them.
@@ -102,12 +104,31 @@ impl<'f> VariantMarch<'f> {
             between: Interpolation::new(stations),
             q: zero(1),
             motion: [stations.len(), with_rates, with_rates].map(zero),
+            lambda: Vec::new(),
             turns: vec![[Lanes::ZERO; 2]; nominal.bodies.len() * stations.len()],
             numbers: Default::default(),
             offsets: Vec::new(),
             has_learned: false,
             start_by: Vec::new(),
         })
+    }
+
+    /// Finds multipliers from now on, where nothing but weights pulls and all rates are known.
+    pub fn weigh(&mut self) {
+        if self.with_rates == self.track.stations.len() && self.abreast.weigh() {
+            self.lambda = vec![Lanes::ZERO; self.motion[0].len()];
+        }
+    }
+
+    /// Takes the multipliers of one variant at a station, where they have been found; whether they have.
+    pub fn multipliers(&self, lane: usize, station: usize, lambda: &mut [f64]) -> bool {
+        let own = self
+            .lambda
+            .get(lambda.len() * station..)
+            .unwrap_or_default();
+        let pairs = lambda.iter_mut().zip(own);
+        pairs.for_each(|(lambda, own)| *lambda = own.extract(lane));
+        !own.is_empty()
     }
 
     /// Learns how the motion changes by each parameter, by variants to both sides of the nominal mechanism; nothing where that
@@ -287,7 +308,10 @@ impl<'f> VariantMarch<'f> {
             turns.for_each(|(turn, pose)| *turn = [pose.cos, pose.sin]);
             if index < self.with_rates {
                 sign = self.abreast.factor();
-                self.abreast.rates(&mut v[own.clone()], &mut a[own]);
+                self.abreast.rates(&mut v[own.clone()], &mut a[own.clone()]);
+                if let Some(lambda) = self.lambda.get_mut(own.clone()) {
+                    self.abreast.multipliers(&a[own], lambda);
+                }
             }
             live = live & corrected.is_proven & sign.simd_eq(Lanes::splat(station.sign));
             if let Some(middle) = &station.middle {

@@ -48,7 +48,10 @@ pub struct PerturbedSolver<'f> {
 impl<'f> PerturbedSolver<'f> {
     pub fn new(track: &'f Track, system: &System, responses: &'f Responses) -> Option<Self> {
         let depth = track.needs.depth(track.reactions);
-        let march = VariantMarch::new(track, system, depth > Depth::Positions)?;
+        let mut march = VariantMarch::new(track, system, depth > Depth::Positions)?;
+        if depth == Depth::Forces {
+            march.weigh();
+        }
         Some(PerturbedSolver {
             track,
             responses,
@@ -160,7 +163,9 @@ impl<'f> PerturbedSolver<'f> {
                 self.sample.a.copy_from_slice(&node.dd);
                 driven.evaluation.set_velocity(&node.d);
             }
-            if carries && !self.carry(driven) {
+            let is_carried =
+                carries && self.march.multipliers(lane, index, &mut self.sample.lambda);
+            if carries && !is_carried && !self.carry(driven) {
                 return false;
             }
             self.record(driven, derived.as_deref_mut());

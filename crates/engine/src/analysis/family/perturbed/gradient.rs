@@ -2,7 +2,7 @@
 
 use super::super::around::Around;
 use super::super::mechanisms::Mechanisms;
-use super::super::needs::{State, duals};
+use super::super::needs::{Depth, State, duals};
 use super::super::slopes::{Along, Slopes, WantedColumns};
 use super::{PerturbedSolver, VariantMarch, place};
 use crate::analysis::clearance_link::{balance, carried};
@@ -33,8 +33,11 @@ impl PerturbedSolver<'_> {
     /// Keeps motions from now on, for derivatives.
     pub fn keep_motion(&mut self, nominal: &System) {
         if !self.keeps
-            && let Some(march) = VariantMarch::new(self.track, nominal, true)
+            && let Some(mut march) = VariantMarch::new(self.track, nominal, true)
         {
+            if self.depth == Depth::Forces {
+                march.weigh();
+            }
             self.march = march;
             self.keeps = true;
         }
