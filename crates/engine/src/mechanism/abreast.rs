@@ -56,7 +56,7 @@ pub struct Abreast {
     pub drive: Vec<Jet<Lanes>>,
     phi: Vec<Lanes>,
     jacobian: Vec<Lanes>,
-    /// Entries of J that are not ground's, and their places among the factors.
+    /// Entries of J that differ with the position and are not ground's, and their places among the factors.
     places: Vec<[u32; 2]>,
     lu: LuAbreast,
     /// Inverse scales of rows and columns.
@@ -78,7 +78,7 @@ pub struct Corrected {
     pub is_proven: Which,
 }
 
-/// All of them, or none.
+/// Those places of which something is so.
 pub fn which(is: impl Fn(usize) -> bool) -> Which {
     let mut of = Lanes::ZERO;
     (0..WIDTH).for_each(|lane| of.replace(lane, if is(lane) { 1.0 } else { 0.0 }));
@@ -385,7 +385,7 @@ impl Abreast {
         self.solve(1.0, a);
     }
 
-    /// Multipliers with the accelerations and the factors at hand, where they are found.
+    /// Multipliers with the accelerations and the factors at hand; none before [`Abreast::weigh`].
     pub fn multipliers(&mut self, a: &[Lanes], lambda: &mut [Lanes]) {
         let Some((masses, gravity)) = &self.weights else {
             return;

@@ -5,14 +5,13 @@
 //! δ(t) ≈ Σ w δ      the polynomial through the stations before, at the first three also through δ̇, δ̈
 //! ```
 //!
-//! besides what the slopes by the parameters tell. There Newton's iteration begins.
-//! Newton contracts at least fourfold from
-//! step to step, det J keeps the sign of the nominal mechanism, and the prediction was good to 1e-5, or else the quintic
-//! half-way between the stations meets the constraints as well: so the variant moves between them as smoothly as the nominal mechanism, and no
-//! singular position lies there. (Newton–Kantorovich, as in `continuation`.) At the first station the parameters go from
-//! the nominal values to those of the variant, in steps where one does not do.
+//! besides what the slopes by the parameters tell (`guess`). There Newton's iteration begins. It contracts at least fourfold
+//! from step to step, det J keeps the sign of the nominal mechanism, and the prediction was good to 1e-5, or else the
+//! polynomial half-way between the stations meets the constraints as well: so the variant moves between them as smoothly as
+//! the nominal mechanism, and no singular position lies there. (Newton–Kantorovich, as in `continuation`.) At the first
+//! station the parameters go from the nominal values to those of the variant, in several steps where one is too far.
 //!
-//! A variant that is not proven so leaves, and is run as any model is.
+//! A variant for which this is not proven is run as any model is.
 
 use super::super::instants::OutputInstant;
 use super::guess::{Guess, Interpolation, Motion, MotionSlopes};
