@@ -67,6 +67,7 @@ mod responses;
 mod rolling;
 mod schema;
 mod shaking;
+mod side_by_side;
 mod similarity;
 mod simulation;
 mod singular;

@@ -32,7 +32,7 @@ const fn part(
 
 const PARTS: &[Part] = &[
     part("model", &["crates/model/src"], "rs", 16_400),
-    part("engine", &["crates/engine/src"], "rs", 41_430),
+    part("engine", &["crates/engine/src"], "rs", 41_620),
     part("variation", &["crates/variation/src"], "rs", 5_010),
     part("linear", &["crates/linear/src"], "rs", 3_460),
     part(
@@ -50,7 +50,7 @@ const PARTS: &[Part] = &[
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_300),
     part("python package", &["python/linkdyn"], "py", 1_500),
-    part("tests", &["tests"], "rs", 43_450),
+    part("tests", &["tests"], "rs", 43_500),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

@@ -13,11 +13,11 @@
 mod singly;
 mod turns;
 
-use super::driven::{Aside, LAST_STEP, RESIDUAL_FLOOR};
-use crate::element::{Equations, Kinematics, Layout, Pose, Twist};
+use super::driven::{LAST_STEP, RESIDUAL_FLOOR};
+use crate::element::{Constraint, Equations, Kinematics, Layout, Pose, Twist};
 use crate::motion::Jet;
 use crate::system::{Evaluation, Inputs, System};
-use linkdyn_linear::lu::LuAbreast;
+use linkdyn_linear::lu::{LuAbreast, SparseLu};
 use linkdyn_linear::math::{Lanes, Vector, WIDTH};
 use nalgebra::{SimdBool, SimdComplexField, SimdPartialOrd, SimdValue};
 use singly::Singly;
@@ -48,8 +48,8 @@ pub struct Abreast {
     blocks: Vec<EquationBlock>,
     /// Numbers of the equations, in their order.
     numbers: Vec<Lanes>,
-    /// The mechanisms themselves.
-    systems: [Arc<System>; WIDTH],
+    /// Those of each mechanism, by blocks.
+    constraints: Vec<[Arc<dyn Constraint>; WIDTH]>,
     poses: Vec<Pose<Lanes>>,
     twists: Vec<Twist<Lanes>>,
     /// Values of the drivers.
@@ -74,6 +74,8 @@ pub struct Corrected {
     pub first_step: Lanes,
     /// Sign of det J at the guess.
     pub sign: Lanes,
+    /// Steps that were made, by those that took most.
+    pub steps: usize,
     /// Of which the solution is proven to belong to the guess.
     pub is_proven: Which,
 }
@@ -91,9 +93,9 @@ pub fn is_among(of: Which, lane: usize) -> bool {
 }
 
 impl Abreast {
-    /// Of a mechanism, as often as there is room; `None` where it must be solved alone.
-    pub fn new(system: &System, aside: &Aside) -> Option<Self> {
-        let (slots, lu) = aside.factors()?;
+    /// Of a mechanism, as often as there is room, with slots of the entries of J and its factors; `None` where it must be solved
+    /// alone.
+    pub fn new(system: &System, (slots, lu): (&[u32], &SparseLu)) -> Option<Self> {
         let measures = system.measures.iter();
         let rows: Vec<f64> = measures.map(|of| system.measure_scale(*of)).collect();
         let columns = 0..system.n();
@@ -115,15 +117,32 @@ impl Abreast {
         let entries =
             entries.filter(|(index, (entry, _))| entry.column().is_some() && !is_constant[*index]);
         let places = entries.map(|(entry, (_, &slot))| [entry as u32, lu.place(slot)]);
-        let (n, one) = (system.n(), Arc::new(system.clone()));
+        let n = system.n();
         let bodies = system.bodies.len() + 1;
         let ground = Pose::new(Lanes::ZERO, Lanes::ZERO, Lanes::ZERO);
         let inverse = |scales: Vec<f64>| scales.iter().map(|scale| 1.0 / scale).collect();
-        let mut abreast = Abreast {
+        let mut numbers = Vec::new();
+        let mut note = |value: f64| {
+            numbers.push(Lanes::splat(value));
+            Lanes::splat(value)
+        };
+        let blocks = system.blocks.iter().map(|block| {
+            let constraints: [_; WIDTH] = std::array::from_fn(|_| block.constraint.clone());
+            let equations = block.constraint.abreast(&mut note);
+            let each = || Box::new(Singly::new(constraints.clone())) as _;
+            let own = EquationBlock {
+                equations: equations.unwrap_or_else(each),
+                rows: block.rows(),
+                entries: block.entries(),
+            };
+            (own, constraints)
+        });
+        let (blocks, constraints) = blocks.unzip();
+        Some(Abreast {
             layout: system.layout.clone(),
-            blocks: Vec::new(),
-            numbers: Vec::new(),
-            systems: std::array::from_fn(|_| one.clone()),
+            blocks,
+            numbers,
+            constraints,
             poses: vec![ground; bodies],
             twists: vec![Twist::default(); bodies],
             drive: vec![[Lanes::ZERO; 3]; system.drivers.len()],
@@ -135,21 +154,30 @@ impl Abreast {
             columns: inverse(columns),
             step: vec![Lanes::ZERO; n],
             weights: None,
-        };
-        (0..WIDTH).for_each(|lane| abreast.read(lane));
-        abreast.build();
-        Some(abreast)
-    }
-
-    /// The mechanism at a place.
-    pub fn system(&self, lane: usize) -> &Arc<System> {
-        &self.systems[lane]
+        })
     }
 
     /// Puts a mechanism in a place; [`Abreast::build`] follows.
-    pub fn put(&mut self, lane: usize, system: Arc<System>) {
-        self.systems[lane] = system;
-        self.read(lane);
+    pub fn put(&mut self, lane: usize, system: &System) {
+        for (own, block) in self.constraints.iter_mut().zip(&system.blocks) {
+            own[lane] = block.constraint.clone();
+        }
+        if let Some((masses, gravity)) = &mut self.weights {
+            let own = masses.iter_mut().zip(system.mass.diagonal());
+            own.for_each(|(all, own)| all.replace(lane, *own));
+            gravity[0].replace(lane, system.gravity.x);
+            gravity[1].replace(lane, system.gravity.y);
+        }
+        let mut numbers = self.numbers.iter_mut();
+        let mut note = |value: f64| {
+            if let Some(all) = numbers.next() {
+                all.replace(lane, value);
+            }
+            Lanes::ZERO
+        };
+        for block in &system.blocks {
+            block.constraint.abreast(&mut note);
+        }
     }
 
     /// The same of numbers as [`System::renumber`] has them.
@@ -166,59 +194,27 @@ impl Abreast {
         }
     }
 
-    /// Finds multipliers from now on; whether it can: nothing but weights pulls.
-    pub fn weigh(&mut self) -> bool {
-        let system = &self.systems[0];
+    /// Knows weights from now on, those of a mechanism in all places, where nothing else pulls; whether that is so.
+    pub fn weigh(&mut self, system: &System) -> bool {
         if !system.looks_at_places() {
-            let zero = vec![Lanes::ZERO; system.n()];
-            self.weights = Some((zero, [Lanes::ZERO; 2]));
-            (0..WIDTH).for_each(|lane| self.read(lane));
+            let masses = system.mass.diagonal().iter();
+            let gravity = [system.gravity.x, system.gravity.y];
+            self.weights = Some((
+                masses.map(|own| Lanes::splat(*own)).collect(),
+                gravity.map(Lanes::splat),
+            ));
         }
         self.weights.is_some()
-    }
-
-    /// Reads the numbers of the mechanism at a place.
-    fn read(&mut self, lane: usize) {
-        let system = &self.systems[lane];
-        if let Some((masses, gravity)) = &mut self.weights {
-            let own = system.mass.diagonal().iter();
-            masses
-                .iter_mut()
-                .zip(own)
-                .for_each(|(all, own)| all.replace(lane, *own));
-            gravity[0].replace(lane, system.gravity.x);
-            gravity[1].replace(lane, system.gravity.y);
-        }
-        let (numbers, mut place) = (&mut self.numbers, 0);
-        let mut note = |value: f64| {
-            if place == numbers.len() {
-                numbers.push(Lanes::splat(value));
-            }
-            numbers[place].replace(lane, value);
-            place += 1;
-            Lanes::ZERO
-        };
-        for block in &self.systems[lane].blocks {
-            block.constraint.abreast(&mut note);
-        }
     }
 
     /// Makes the equations with the numbers at hand.
     pub fn build(&mut self) {
         let mut numbers = self.numbers.iter();
         let mut next = |_| *numbers.next().expect("as many numbers as were read");
-        self.blocks.clear();
-        for (index, block) in self.systems[0].blocks.iter().enumerate() {
-            let equations = block.constraint.abreast(&mut next);
-            let each = || {
-                let of = |system: &Arc<System>| system.blocks[index].constraint.clone();
-                Box::new(Singly::new(self.systems.each_ref().map(of))) as _
-            };
-            self.blocks.push(EquationBlock {
-                equations: equations.unwrap_or_else(each),
-                rows: block.rows(),
-                entries: block.entries(),
-            });
+        for (block, constraints) in self.blocks.iter_mut().zip(&self.constraints) {
+            let equations = constraints[0].abreast(&mut next);
+            block.equations =
+                equations.unwrap_or_else(|| Box::new(Singly::new(constraints.clone())));
         }
     }
 
@@ -308,7 +304,7 @@ impl Abreast {
     ) -> Corrected {
         let mut step = std::mem::take(&mut self.step);
         let splat = Lanes::splat;
-        let (mut first_step, mut sign) = (Lanes::ZERO, Lanes::ZERO);
+        let (mut first_step, mut sign, mut steps) = (Lanes::ZERO, Lanes::ZERO, 0);
         let (mut last, mut is_done) = (splat(f64::INFINITY), !wanted);
         let mut is_proven = wanted;
         let most = splat(if near.is_some() { SMALL } else { f64::MAX });
@@ -327,6 +323,7 @@ impl Abreast {
                 }
             }
             self.solve(-1.0, &mut step);
+            steps += 1;
             let size = self.size(&step);
             // What is left after a step of Newton is its square, and after one of a chord what the last two say.
             let left = if iteration == 0 {
@@ -367,6 +364,7 @@ impl Abreast {
         Corrected {
             first_step,
             sign,
+            steps,
             is_proven,
         }
     }
@@ -385,7 +383,7 @@ impl Abreast {
         self.solve(1.0, a);
     }
 
-    /// Multipliers with the accelerations and the factors at hand; none before [`Abreast::weigh`].
+    /// Multipliers with the accelerations and the factors at hand; none where weights are unknown.
     pub fn multipliers(&mut self, a: &[Lanes], lambda: &mut [Lanes]) {
         let Some((masses, gravity)) = &self.weights else {
             return;
@@ -397,6 +395,17 @@ impl Abreast {
             }
         }
         self.lu.solve_transposed(&self.step, lambda);
+    }
+
+    /// Multipliers λ with Jᵀ λ = b by the factors at hand.
+    pub fn carry(&mut self, b: &[Lanes], lambda: &mut [Lanes]) {
+        self.lu.solve_transposed(b, lambda);
+    }
+
+    /// Residuals at the position taken, scaled [–].
+    pub fn residual(&mut self) -> Lanes {
+        self.each(|block, at, rows, _| block.equations.position(at, rows));
+        Abreast::largest(&self.phi, &self.rows)
     }
 
     /// How far a position is from its constraints, by the factors at hand [–].

@@ -1,5 +1,6 @@
 //! Kinematics and inverse dynamics of a driven mechanism, ideal or with massless clearance links.
 
+mod ahead;
 mod between;
 mod bridge;
 mod outputs;

@@ -13,12 +13,14 @@ use super::super::power::Powers;
 use super::super::record::Recorder;
 use super::super::sample::Sample;
 use super::super::words::locked;
+use super::ahead::Ahead;
 use super::bridge::{Bridge, Near};
 use super::passages::{events, range, with_passages};
 use super::words::{describe, limits, stopped};
 use crate::mechanism::continuation::{End, Parameter, Path, Source};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{DriverId, Inputs, System};
+use linkdyn_linear::math::WIDTH;
 use linkdyn_output::{Event, EventKind, Report, Status};
 
 /// A joint belongs to a self-stress when its part is above this, relative to the largest.
@@ -103,7 +105,12 @@ impl<'a, 'r> Outputs<'a, 'r> {
         self.report.events.extend(passed);
         self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
         let passages: &[Event] = if at_events { &self.report.events } else { &[] };
-        for instant in &with_passages(instants, passages) {
+        let instants = with_passages(instants, passages);
+        let are_many = instants.len() >= WIDTH;
+        let mut ahead = are_many
+            .then(|| Ahead::new(driven, self.reactions))
+            .flatten();
+        for (index, instant) in instants.iter().enumerate() {
             control.progress.note(end + instant.time, 2.0 * end);
             instant.drive(self.system, &mut self.inputs.drive);
             let beyond = !path.holds(match path.parameter {
@@ -128,7 +135,11 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 return;
             }
             self.inputs.time = instant.time;
-            if let Err(failure) = self.solve(driven, path) {
+            let found = ahead.as_mut().and_then(|ahead| {
+                let (inputs, sample) = (&self.inputs, &mut self.sample);
+                ahead.take(driven, path, &instants[index..], inputs, sample)
+            });
+            if let Err(failure) = self.solve(driven, path, found) {
                 self.report.status = Status::Singular;
                 self.report.message = Some(format!(
                     "no solution at t = {}: {}",
@@ -180,7 +191,21 @@ impl<'a, 'r> Outputs<'a, 'r> {
             .map(|driver| (driver.name.clone(), self.inputs.drive[0][0]))
     }
 
-    fn solve(&mut self, driven: &mut Driven, path: &Path) -> Result<(), Failure> {
+    /// Solves and records the instant at hand, whose residual is known where it has been solved.
+    fn solve(
+        &mut self,
+        driven: &mut Driven,
+        path: &Path,
+        found: Option<f64>,
+    ) -> Result<(), Failure> {
+        if let Some(residual) = found {
+            if self.reactions {
+                self.note_formulas(driven);
+            }
+            self.locking.close(&mut self.report.events);
+            self.record(driven, residual);
+            return Ok(());
+        }
         let system = self.system;
         let parameter = self.parameter(path);
         let s = parameter[0];
@@ -231,16 +256,21 @@ impl<'a, 'r> Outputs<'a, 'r> {
             driven.evaluation.eval_phi(system, &self.inputs);
             residual = system.scaled_residual(&driven.evaluation.phi);
         }
+        self.record(driven, residual);
+        Ok(())
+    }
+
+    /// Records the instant at hand.
+    fn record(&mut self, driven: &Driven, residual: f64) {
         self.report.quality.constraint_residual =
             self.report.quality.constraint_residual.max(residual);
         if self.reactions {
             self.account();
         }
         let at = driven.evaluation.kinematics(&self.inputs);
-        self.overrun.note(system, &at);
+        self.overrun.note(self.system, &at);
         self.recorder
-            .push(system, &driven.evaluation, &self.inputs, &self.sample);
-        Ok(())
+            .push(self.system, &driven.evaluation, &self.inputs, &self.sample);
     }
 
     /// Warns of the first formula that has no value at an instant.

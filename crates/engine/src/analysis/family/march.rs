@@ -39,6 +39,8 @@ const SHORTEST: f64 = 1.0 / 16.0;
 pub struct VariantMarch<'f> {
     track: &'f Track,
     abreast: Abreast,
+    /// The mechanisms, where they have been compiled.
+    systems: [Arc<System>; WIDTH],
     drive: Vec<Jet>,
     /// How many stations have rates.
     with_rates: usize,
@@ -75,6 +77,7 @@ impl<'f> VariantMarch<'f> {
     /// Along a track of a mechanism, with velocities and accelerations at all stations, or where they are needed.
     pub fn new(track: &'f Track, nominal: &System, with_rates: bool) -> Option<Self> {
         let (stations, n) = (&track.stations, nominal.n());
+        let one = Arc::new(nominal.clone());
         let zero = |count: usize| vec![Lanes::ZERO; n * count];
         let with_rates = if with_rates {
             stations.len()
@@ -95,7 +98,8 @@ impl<'f> VariantMarch<'f> {
         });
         Some(VariantMarch {
             track,
-            abreast: Abreast::new(nominal, &track.solver)?,
+            abreast: Abreast::new(nominal, track.solver.factors()?)?,
+            systems: std::array::from_fn(|_| one.clone()),
             drive: vec![[0.0; 3]; nominal.drivers.len()],
             with_rates,
             start: zero(1),
@@ -114,7 +118,7 @@ impl<'f> VariantMarch<'f> {
 
     /// Finds multipliers from now on, where nothing but weights pulls and all rates are known.
     pub fn weigh(&mut self) {
-        if self.with_rates == self.track.stations.len() && self.abreast.weigh() {
+        if self.with_rates == self.track.stations.len() && self.abreast.weigh(&self.systems[0]) {
             self.lambda = vec![Lanes::ZERO; self.motion[0].len()];
         }
     }
@@ -174,7 +178,7 @@ impl<'f> VariantMarch<'f> {
 
     /// The mechanism at a place, where it has been compiled.
     pub fn system(&self, lane: usize) -> &Arc<System> {
-        self.abreast.system(lane)
+        &self.systems[lane]
     }
 
     /// Its numbers, where these tell it.
@@ -224,6 +228,22 @@ impl<'f> VariantMarch<'f> {
         std::array::from_fn(|lane| is_among(found, lane))
     }
 
+    /// Takes the drivers' values at an instant.
+    fn take(&mut self, instant: &OutputInstant) {
+        let lanes = if self.track.changes.drivers { WIDTH } else { 1 };
+        for (lane, system) in self.systems[..lanes].iter().enumerate() {
+            instant.drive(system, &mut self.drive);
+            for (all, own) in self.abreast.drive.iter_mut().zip(&self.drive) {
+                for (all, own) in all.iter_mut().zip(own) {
+                    match lanes {
+                        1 => *all = Lanes::splat(*own),
+                        _ => all.replace(lane, *own),
+                    }
+                }
+            }
+        }
+    }
+
     /// Finds where variants begin; which have been found.
     fn begin(&mut self, variants: &[&[f64]], mechanisms: &mut Mechanisms) -> Which {
         let track = self.track;
@@ -244,12 +264,15 @@ impl<'f> VariantMarch<'f> {
                 let numbers = &mut self.numbers[lane];
                 match mechanisms.make(variants[lane], next, numbers) {
                     Some(Variant::Numbers) => abreast.put_numbers(lane, numbers),
-                    Some(Variant::System(system)) => abreast.put(lane, system),
+                    Some(Variant::System(system)) => {
+                        abreast.put(lane, &system);
+                        self.systems[lane] = system;
+                    }
                     None => way.is_open = false,
                 }
             }
             abreast.build();
-            take(track, &first.instant, &mut self.drive, abreast);
+            self.take(&first.instant);
             self.q.copy_from_slice(&self.start);
             self.step(&ways);
             let open = which(|lane| ways[lane].is_open);
@@ -295,7 +318,7 @@ impl<'f> VariantMarch<'f> {
                 0 => self.q.copy_from_slice(&self.start),
                 _ => self.guesses[index][0].write(&self.motion, &self.offsets, &mut self.q),
             }
-            take(track, &station.instant, &mut self.drive, &mut self.abreast);
+            self.take(&station.instant);
             let near = Some(&mut curvature);
             let corrected = self.abreast.correct(&mut self.q, live, near);
             let mut sign = corrected.sign;
@@ -322,7 +345,7 @@ impl<'f> VariantMarch<'f> {
                         time: middle.time,
                         exact: None,
                     };
-                    take(track, &instant, &mut self.drive, &mut self.abreast);
+                    self.take(&instant);
                     let is_smooth = self.abreast.miss(&self.q).simd_le(Lanes::splat(SMOOTH));
                     live = live & (!asked | is_smooth);
                 }
@@ -332,26 +355,10 @@ impl<'f> VariantMarch<'f> {
     }
 }
 
-/// Takes the drivers' values at an instant.
-fn take(track: &Track, instant: &OutputInstant, drive: &mut [Jet], abreast: &mut Abreast) {
-    let lanes = if track.changes.drivers { WIDTH } else { 1 };
-    for lane in 0..lanes {
-        instant.drive(abreast.system(lane), drive);
-        for (all, own) in abreast.drive.iter_mut().zip(&*drive) {
-            for (all, own) in all.iter_mut().zip(own) {
-                match lanes {
-                    1 => *all = Lanes::splat(*own),
-                    _ => all.replace(lane, *own),
-                }
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use crate::analysis::{Control, Family, Member};
-    use crate::mechanism::abreast::{Abreast, is_among, which};
+    use crate::mechanism::abreast::{is_among, which};
     use crate::mechanism::driven::Driven;
     use crate::system::compile::compile;
     use crate::system::{Inputs, System};
@@ -442,8 +449,7 @@ mod tests {
             let assembled = crate::analysis::assembly::assemble(&system, &start);
             let q0 = assembled.unwrap_or_else(|_| panic!("{name} assembles")).q;
             let mut driven = Driven::new(&system, &q0, &start).expect("a regular start");
-            let aside = driven.clone().set_aside();
-            let mut abreast = Abreast::new(&system, &aside).expect(name);
+            let mut abreast = driven.abreast().expect(name);
             let times = [0.0, 0.001, 0.002, 0.003];
             let n = system.n();
             let mut q: Vec<Lanes> = q0.iter().map(|q| Lanes::splat(*q)).collect();

@@ -84,7 +84,7 @@ impl Aside {
     }
 
     /// Slots of the entries of J, and its factors; `None` where rows are redundant or coordinates are prescribed.
-    pub(in crate::mechanism) fn factors(&self) -> Option<(&[u32], &SparseLu)> {
+    pub(crate) fn factors(&self) -> Option<(&[u32], &SparseLu)> {
         let is_plain = self.selection.redundant.is_empty() && self.independent.is_empty();
         is_plain.then_some((&self.slots[..], &self.lu))
     }

@@ -1,6 +1,7 @@
 //! J, its factors, and what they tell.
 
 use super::{Driven, Failure};
+use crate::mechanism::abreast::Abreast;
 use crate::system::{Inputs, Standing};
 
 impl Driven<'_> {
@@ -19,6 +20,14 @@ impl Driven<'_> {
     pub(in crate::mechanism) fn scaled_entries(&self) -> impl Iterator<Item = f64> {
         let entries = self.evaluation.jacobian.iter().zip(self.scales());
         entries.map(|(value, scale)| value * scale)
+    }
+
+    /// Several of this mechanism side by side; `None` where rows are redundant or coordinates are prescribed.
+    pub(crate) fn abreast(&self) -> Option<Abreast> {
+        let is_plain = !self.is_redundant() && self.independent.is_empty();
+        is_plain
+            .then(|| Abreast::new(self.system, (&self.slots, &self.lu)))
+            .flatten()
     }
 
     /// What the active rows hold, by J at a position that satisfies them.

@@ -49,6 +49,15 @@ pub struct Work {
     pub factorisations: u64,
 }
 
+impl Work {
+    /// Counts more.
+    pub(crate) fn add(&mut self, more: Work) {
+        self.newton_iterations += more.newton_iterations;
+        self.evaluations += more.evaluations;
+        self.factorisations += more.factorisations;
+    }
+}
+
 /// How a position solve went.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Correction {
