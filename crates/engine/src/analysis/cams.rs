@@ -11,7 +11,7 @@ use linkdyn_model::display::number;
 /// Pressure angles that are usual at most \[rad\].
 const SLIDES: f64 = 30.0 * std::f64::consts::PI / 180.0;
 const SWINGS: f64 = 45.0 * std::f64::consts::PI / 180.0;
-/// Part of the largest force below which a pull is round-off [–].
+/// Part of the largest force below which a pull is round-off, and of the largest angle by which it is no other [–].
 const ROUND_OFF: f64 = 1e-9;
 /// Digits of what is reported.
 const DIGITS: usize = 4;
@@ -57,7 +57,8 @@ impl Watch {
             let seen = &mut self.cams[k];
             let here = angle(cam, at);
             let pressure = cam.meeting(at).pressure.unwrap_or_default();
-            if pressure.abs() > seen.pressure[0].abs() {
+            // Of angles that are equal but for round-off the first is named.
+            if pressure.abs() > (1.0 + ROUND_OFF) * seen.pressure[0].abs() {
                 seen.pressure = [pressure, here, at.time];
             }
             let Some(lambda) = lambda else { continue };
