@@ -19,6 +19,8 @@ pub enum AnalysisKind {
     Dynamics,
     /// Equilibrium.
     Statics,
+    /// Equilibrium at every instant of a motion that is so slow that nothing has inertia.
+    QuasiStatics,
 }
 
 /// Which instants are outputs.

@@ -31,8 +31,8 @@ const fn part(
 }
 
 const PARTS: &[Part] = &[
-    part("model", &["crates/model/src"], "rs", 16_400),
-    part("engine", &["crates/engine/src"], "rs", 41_640),
+    part("model", &["crates/model/src"], "rs", 16_415),
+    part("engine", &["crates/engine/src"], "rs", 41_950),
     part("variation", &["crates/variation/src"], "rs", 5_010),
     part("linear", &["crates/linear/src"], "rs", 3_460),
     part(
@@ -50,7 +50,7 @@ const PARTS: &[Part] = &[
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_300),
     part("python package", &["python/linkdyn"], "py", 1_500),
-    part("tests", &["tests"], "rs", 43_500),
+    part("tests", &["tests"], "rs", 43_700),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

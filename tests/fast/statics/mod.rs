@@ -1,10 +1,12 @@
 //! Equilibria and small motions against closed forms.
 
+mod along;
 mod coupled;
 mod springs;
 
 use crate::mechanisms::*;
 use linkdyn_engine::analysis::{Control, Linearised, Outcome, modes, run};
+use linkdyn_model::load;
 use linkdyn_output::Status;
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -200,7 +202,31 @@ fn a_load_that_nothing_balances_has_no_equilibrium() {
     );
     let said = run.report.message.expect("a message");
     assert!(
-        said.contains("no equilibrium found: something still pulls at block.y"),
+        said.contains("no equilibrium found: something still pulls at block.y")
+            && !said.contains("friction"),
+        "{said}"
+    );
+    let mut joints = model["joints"]
+        .as_object_mut()
+        .expect("joints")
+        .values_mut();
+    joints.next().expect("a guide")["friction"] =
+        json!({ "law": "coulomb", "coefficient": 0.1, "threshold_velocity": 0.01 });
+    let said = outcome(&model).report.message.expect("a message");
+    assert!(said.contains("; the friction of"), "{said}");
+}
+
+#[test]
+fn quasi_statics_says_what_it_lacks_and_refuses() {
+    let mut model = hanging_block("prismatic", 0.0);
+    model["analysis"] = json!({ "type": "quasi_statics" });
+    let said = format!("{:?}", load(model.to_string().as_bytes(), &[]).map(|_| ()));
+    assert!(said.contains("it is not said for which instants"), "{said}");
+    model["analysis"] = json!({ "type": "quasi_statics", "end": 1, "outputs": 3 });
+    model["states"] = json!({ "heat": { "rate": "1 J/s", "start": "0 J" } });
+    let said = format!("{:?}", load(model.to_string().as_bytes(), &[]).map(|_| ()));
+    assert!(
+        said.contains("states are integrated in a free motion, and quasi-statics has none"),
         "{said}"
     );
 }

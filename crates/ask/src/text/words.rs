@@ -16,6 +16,7 @@ pub fn analysis_words(kind: AnalysisKind) -> &'static str {
         AnalysisKind::InverseDynamics => "inverse dynamics",
         AnalysisKind::Dynamics => "dynamics",
         AnalysisKind::Statics => "statics",
+        AnalysisKind::QuasiStatics => "quasi-statics",
     }
 }
 

@@ -23,6 +23,8 @@ pub struct Contents {
     pub accelerations: bool,
     /// Forces in joints and efforts of drivers.
     pub reactions: bool,
+    /// Friction of joints, which is none at rest.
+    pub friction: bool,
 }
 
 /// The result columns of a system and an analysis.
@@ -318,8 +320,7 @@ impl Contents {
     fn of_joint(self, joint: &JointData) -> impl Iterator<Item = JointQuantity> {
         let forces = FORCES.into_iter().filter(move |_| self.reactions);
         let torque = (self.reactions && joint.torque()).then_some(JointQuantity::Torque);
-        // At rest there is no friction.
-        let has_friction = self.reactions && self.velocities && joint.extras().friction.is_some();
+        let has_friction = self.friction && joint.extras().friction.is_some();
         let friction = has_friction.then_some(JointQuantity::Friction);
         let has_bearing = joint.extras().bearing.is_some();
         let contact_wanted = (has_bearing || joint.is_contact()) && self.reactions;

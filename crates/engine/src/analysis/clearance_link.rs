@@ -226,6 +226,17 @@ pub fn forces_at_factors(
 /// # Errors
 /// [`Failure::Locked`].
 pub fn carried(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Result<(), Failure> {
+    let system = driven.system;
+    if system.is_slow && !system.dependent_forces.is_empty() {
+        // Friction asks for the direction of motion.
+        let speed = system.scaled_norm(&sample.v);
+        let direction: Vec<f64> = sample
+            .v
+            .iter()
+            .map(|v| v / speed.max(f64::MIN_POSITIVE))
+            .collect();
+        driven.evaluation.set_velocity(&direction);
+    }
     let Sample {
         force,
         balance,
@@ -238,9 +249,12 @@ pub fn carried(driven: &mut Driven, inputs: &Inputs, sample: &mut Sample) -> Res
     found
 }
 
-/// Q and Q − M a (n), what the constraints must carry.
+/// Q and Q − M a (n), what the constraints must carry; a = 0 in a slow motion.
 pub fn balance(system: &System, evaluation: &Evaluation, inputs: &Inputs, sample: &mut Sample) {
     evaluation.eval_force(system, inputs, &mut sample.force);
+    if system.is_slow {
+        sample.a.fill(0.0);
+    }
     system
         .mass
         .residual(&sample.force, &sample.a, &mut sample.balance);

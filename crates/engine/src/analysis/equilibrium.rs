@@ -4,6 +4,7 @@ use super::assembly::{Assembled, assemble, check_driven, ranks};
 use super::branch::{leave, singularity};
 use super::control::{Control, Stop};
 use super::in_line::singular_text;
+use super::words::friction_may_hold;
 use crate::element::Axis;
 use crate::mechanism::driven::Failure;
 use crate::mechanism::equilibrium::{Balance, Lost, find};
@@ -12,12 +13,16 @@ use crate::system::{Inputs, System};
 use linkdyn_output::Status;
 
 /// The mechanism at rest where it is assembled or, where that is a singular position, a little beside it on the branch that
-/// the forces drive most; a pose that must not be left can't be singular.
+/// the forces drive most; a pose that must not be left can't be singular. Drivers and loads have their values at `time`.
 ///
 /// # Errors
 /// When it does not assemble, has too many drivers, or is in a singular position that it can't leave.
-pub fn start(system: &System, pose: bool) -> Result<(Assembled, LinearisedSystem<'_>), Stop> {
-    let inputs = Inputs::at_time(system, 0.0);
+pub fn start(
+    system: &System,
+    time: f64,
+    pose: bool,
+) -> Result<(Assembled, LinearisedSystem<'_>), Stop> {
+    let inputs = Inputs::at_time(system, time);
     let mut assembled = assemble(system, &inputs)?;
     if assembled.all.rank == system.n() || system.drivers.len() > system.n() - assembled.joints.rank
     {
@@ -33,7 +38,7 @@ pub fn start(system: &System, pose: bool) -> Result<(Assembled, LinearisedSystem
                 .into(),
         ));
     }
-    let held = LinearisedSystem::new(system, &assembled.all.free_columns, &assembled.q)
+    let held = LinearisedSystem::new(system, &assembled.all.free_columns, &assembled.q, time)
         .map_err(singular)?;
     Ok((assembled, held))
 }
@@ -69,6 +74,7 @@ pub fn balance(
         Ok(balance) => return Ok(balance),
         Err(lost) => lost,
     };
+    let friction = friction_may_hold(held.driven.system);
     Err(match lost {
         Lost::Stopped => {
             let status = control.stop().unwrap_or(Status::Interrupted);
@@ -82,12 +88,12 @@ pub fn balance(
         }
         Lost::Unbalanced { residual } => singular(format!(
             "no equilibrium found: something still pulls at {} (residual {residual:.1e}) however far it moves; look for a \
-             load that nothing balances",
+             load that nothing balances{friction}",
             pulled(held)
         )),
         Lost::Blocked => singular(format!(
             "no equilibrium found: the forces pull {} against a dead centre or change point{}, where its way ends; start \
-             on the other side, or drive it",
+             on the other side, or drive it{friction}",
             pulled(held),
             what(held),
         )),

@@ -16,9 +16,7 @@ pub struct OutputInstant {
 impl OutputInstant {
     /// Drivers' values and derivatives at the instant.
     pub fn drive(&self, system: &System, drive: &mut [Jet]) {
-        for (jet, driver) in drive.iter_mut().zip(&system.drivers) {
-            *jet = driver.law.jet(self.time);
-        }
+        system.drive(self.time, drive);
         if let Some((driver, value)) = self.exact {
             drive[driver][0] = value;
         }

@@ -33,7 +33,7 @@ struct Leaning<'s> {
     free: &'s [bool],
 }
 
-/// Calls `told` with the equilibrium, in which stops press where they have to; the mechanism begins at `q` (n).
+/// Calls `told` with the equilibrium, in which stops press where they have to, at a time; the mechanism begins at `q` (n).
 ///
 /// Joints that begin at an end with a latch are latched.
 ///
@@ -41,7 +41,7 @@ struct Leaning<'s> {
 /// Those of [`start`] and [`balance`], and where no choice of stops gives an equilibrium.
 pub fn rest<T>(
     system: &System,
-    q: &[f64],
+    (q, time): (&[f64], f64),
     control: &Control,
     told: impl FnOnce(&Assembled, &mut LinearisedSystem, &Balance, &[ContactSample]) -> T,
 ) -> Result<T, Failed> {
@@ -58,7 +58,7 @@ pub fn rest<T>(
         };
         next += 1;
         let held_system = leaning.system(guess.as_deref());
-        let begun = start(&held_system, false);
+        let begun = start(&held_system, time, false);
         let (assembled, mut held) = match begun {
             Ok(begun) => begun,
             // The first is the mechanism itself; others may hold more than there is.

@@ -28,6 +28,7 @@ mod outcome;
 mod outside;
 mod power;
 mod progress;
+mod quasi_statics;
 pub mod question;
 mod ratios;
 pub mod readings;

@@ -98,7 +98,7 @@ pub fn modes(model: &Checked, pose: bool, control: &Control) -> Result<Linearise
 
 fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearised, Stop> {
     refuse(system)?;
-    let (assembled, mut held) = start(system, pose)?;
+    let (assembled, mut held) = start(system, 0.0, pose)?;
     if !system.contacts.is_empty() {
         let turned = ends::at_rest(system, &assembled.q);
         let system = turned.as_ref().unwrap_or(system);
@@ -107,14 +107,14 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
             // Stops that press at rest are springs, or hold.
             let rested = leaning::rest(
                 system,
-                &assembled.q,
+                (&assembled.q, 0.0),
                 control,
                 |assembled, held, balance, _| about(assembled, held, balance, pose),
             );
             return rested?;
         }
         if let Some(latched) = leaning::latched_system(system, &assembled.q) {
-            let (assembled, mut held) = start(&latched, pose)?;
+            let (assembled, mut held) = start(&latched, 0.0, pose)?;
             let balance = judge(&mut held);
             return about(&assembled, &mut held, &balance, pose);
         }

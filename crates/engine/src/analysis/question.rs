@@ -25,7 +25,7 @@ pub(super) struct Question {
     /// Columns behind those that an analysis has.
     pub following: DerivedSelection,
     /// When there are outputs.
-    instants: Instants,
+    pub instants: Instants,
     /// Located events are outputs, too.
     at_events: bool,
     /// A name that no method has is reported where a method is needed.
@@ -47,6 +47,8 @@ pub(super) enum Kind {
     Free,
     /// A position at rest.
     Rest,
+    /// A motion so slow that it is at rest everywhere.
+    Slow,
 }
 
 impl Question {
@@ -87,7 +89,7 @@ impl Question {
         driven::Settings {
             instants: self.instants,
             at_events: self.at_events,
-            reactions: self.contents.reactions,
+            contents: self.contents,
         }
     }
 
@@ -150,6 +152,7 @@ fn kind(system: &System, kind: AnalysisKind) -> Kind {
             Kind::Free
         }
         AnalysisKind::Statics => Kind::Rest,
+        AnalysisKind::QuasiStatics => Kind::Slow,
     }
 }
 
@@ -159,12 +162,13 @@ fn contents(kind: AnalysisKind) -> Contents {
         AnalysisKind::Assembly => (true, false, false),
         AnalysisKind::Kinematics => (true, true, false),
         AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => (true, true, true),
-        AnalysisKind::Statics => (false, false, true),
+        AnalysisKind::Statics | AnalysisKind::QuasiStatics => (false, false, true),
     };
     Contents {
         velocities,
         accelerations,
         reactions,
+        friction: reactions && kind != AnalysisKind::Statics,
     }
 }
 

@@ -12,7 +12,7 @@ use super::responses::{Answer, Responses};
 use super::rows::Columns;
 use super::sample::Sample;
 use super::settings::settings;
-use super::{assembly, belts, driven, dynamics, statics};
+use super::{assembly, belts, driven, dynamics, quasi_statics, statics};
 use crate::system::{Evaluation, Inputs, System, compile::compile};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{Checked, unheld};
@@ -328,6 +328,13 @@ impl Prepared {
                 })
             }
             Kind::Rest => statics::run(system, question.contents, control).map(Solved::rows),
+            Kind::Slow => {
+                let (trajectory, report, between) = quasi_statics::run(system, question, control)?;
+                Ok(Solved {
+                    between,
+                    ..Solved::rows((trajectory, report))
+                })
+            }
         }
     }
 }

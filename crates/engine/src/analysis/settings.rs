@@ -10,6 +10,7 @@ fn kind_word(kind: AnalysisKind) -> &'static str {
         AnalysisKind::InverseDynamics => "inverse_dynamics",
         AnalysisKind::Dynamics => "dynamics",
         AnalysisKind::Statics => "statics",
+        AnalysisKind::QuasiStatics => "quasi_statics",
     }
 }
 

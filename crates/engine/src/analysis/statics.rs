@@ -30,7 +30,7 @@ pub fn run(
     refuse(system)?;
     let watch = Stopwatch::start();
     if system.contacts.is_empty() {
-        let (assembled, mut held) = start(system, false)?;
+        let (assembled, mut held) = start(system, 0.0, false)?;
         let assemble = watch.read();
         let watch = Stopwatch::start();
         let balance = balance(&mut held, &assembled, control)?;
@@ -40,7 +40,7 @@ pub fn run(
         return Ok((trajectory, report));
     }
     // What the mechanism is without its stops, and where they are seen from there.
-    let assembled = start(system, false)?.0;
+    let assembled = start(system, 0.0, false)?.0;
     let turned = ends::at_rest(system, &assembled.q);
     let system = turned.as_ref().unwrap_or(system);
     ends::check_start(system, &assembled.q)?;
@@ -49,7 +49,7 @@ pub fn run(
     let watch = Stopwatch::start();
     let (trajectory, mut report) = leaning::rest(
         system,
-        &assembled.q,
+        (&assembled.q, 0.0),
         control,
         |assembled, held, balance, contacts| {
             told((system, contents), assembled, held, balance, contacts)

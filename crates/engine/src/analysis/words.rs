@@ -51,17 +51,31 @@ pub fn unsure_friction(system: &System, not_unique: &[String]) -> Option<String>
     })
 }
 
-/// What to say where nothing moves.
-pub fn friction_left_out(system: &System) -> Option<String> {
+/// Joints whose friction an equilibrium leaves out.
+fn rubbing(system: &System) -> Option<String> {
     let with_friction = system
         .joints
         .iter()
         .filter(|joint| joint.extras().friction.is_some());
     let names: Vec<&str> = with_friction.map(|joint| joint.name.as_str()).collect();
-    (!names.is_empty()).then(|| {
+    (!names.is_empty()).then(|| names.join(", "))
+}
+
+/// What to say where nothing moves.
+pub fn friction_left_out(system: &System) -> Option<String> {
+    rubbing(system).map(|names| {
         format!(
-            "the friction of {} is left out: at rest it can hold the mechanism in many positions, this is the one that needs none",
-            names.join(", ")
+            "the friction of {names} is left out: at rest it can hold the mechanism in many positions, this is the one that needs none"
+        )
+    })
+}
+
+/// What to say of it where there is no equilibrium.
+pub fn friction_may_hold(system: &System) -> String {
+    rubbing(system).map_or_else(String::new, |names| {
+        format!(
+            "; the friction of {names}, which might hold it, is left out: drive it in \"quasi_statics\" both ways, where friction \
+             holds it the effort pushes in both"
         )
     })
 }

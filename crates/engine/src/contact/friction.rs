@@ -170,6 +170,25 @@ impl Law {
         }
     }
 
+    /// The law of a motion whose speed is nothing beside all that the law compares it with, and has a direction: the force
+    /// that has to be overcome, static where the law tells it from that of sliding, from a speed of `threshold` on.
+    #[must_use]
+    pub fn slow(self, threshold: f64) -> Law {
+        let coefficient = match self {
+            Law::None => return self,
+            Law::Coulomb { coefficient, .. }
+            | Law::Ambrosio { coefficient, .. }
+            | Law::Threlfall { coefficient, .. } => coefficient,
+            Law::Stribeck { decay, .. } | Law::Lugre { decay, .. } => {
+                decay.r#static.max(decay.kinetic)
+            }
+        };
+        Law::Coulomb {
+            coefficient,
+            threshold,
+        }
+    }
+
     /// Whether the law has bristles, whose deflection is a state.
     pub fn has_bristle(&self) -> bool {
         match self {

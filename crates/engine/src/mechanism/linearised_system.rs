@@ -46,12 +46,17 @@ pub struct LinearisedSystem<'s> {
 }
 
 impl<'s> LinearisedSystem<'s> {
-    /// At an assembled position at t = 0; `columns` are coordinates that determine the rest there.
+    /// At an assembled position at a time; `columns` are coordinates that determine the rest there.
     ///
     /// # Errors
     /// When they do not.
-    pub fn new(system: &'s System, columns: &[usize], q: &[f64]) -> Result<Self, Failure> {
-        let mut inputs = Inputs::at_time(system, 0.0);
+    pub fn new(
+        system: &'s System,
+        columns: &[usize],
+        q: &[f64],
+        time: f64,
+    ) -> Result<Self, Failure> {
+        let mut inputs = Inputs::at_time(system, time);
         inputs
             .drive
             .iter_mut()

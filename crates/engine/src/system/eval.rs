@@ -56,9 +56,7 @@ impl Inputs {
     /// Evaluates the drivers' laws.
     pub fn set_time(&mut self, system: &System, time: f64) {
         self.time = time;
-        for (jet, driver) in self.drive.iter_mut().zip(&system.drivers) {
-            *jet = driver.law.jet(time);
-        }
+        system.drive(time, &mut self.drive);
     }
 }
 
@@ -203,7 +201,12 @@ impl Evaluation {
         if system.forces.is_empty() && system.contacts.is_empty() {
             return;
         }
-        let at = self.kinematics(inputs);
+        let still: Vec<Twist>;
+        let mut at = self.kinematics(inputs);
+        if system.is_slow {
+            still = vec![Twist::default(); self.twists.len()];
+            at.twists = &still;
+        }
         let mut applied = Applied::to(q_force, &system.layout);
         for force in &system.forces {
             force.apply(&at, &mut applied);

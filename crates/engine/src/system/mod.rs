@@ -50,7 +50,7 @@ use crate::element::enclosure::Enclosure;
 use crate::element::formula::Formula;
 use crate::element::pair::{ContactId, Pair};
 use crate::element::{Axis, ConstraintDependentForce, Force, Layout, Marker, Measure};
-use crate::motion::Law;
+use crate::motion::{Jet, Law};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
 use std::ops::Range;
@@ -206,6 +206,8 @@ pub struct System {
     pub(crate) scale: Scale,
     /// Forces may come from outside the model, see [`Pushes`].
     pub(crate) is_pushed: bool,
+    /// Whether it moves so slowly that nothing has inertia or damping, and velocities count by their direction alone.
+    pub(crate) is_slow: bool,
     /// How messages speak of it.
     pub(crate) display: DisplayUnits,
     /// Largest coordinate of a point or centre of mass in the frame of its body \[m\].
@@ -226,6 +228,21 @@ impl System {
             && self.formulas.is_empty()
             && self.kinks.is_empty();
         !nobody
+    }
+
+    /// Values and rates of the drivers at a time. Where a slow motion stops, its direction is the next one, or else the last.
+    pub(crate) fn drive(&self, time: f64, drive: &mut [Jet]) {
+        let mut take = |time: f64, from: usize| {
+            for (jet, driver) in drive.iter_mut().zip(&self.drivers) {
+                jet[from..].copy_from_slice(&driver.law.jet(time)[from..]);
+            }
+            drive.iter().any(|jet| jet[1] != 0.0)
+        };
+        if !take(time, 0) && self.is_slow {
+            let beside = [1e-6, 1e-3, 1.0].into_iter().flat_map(|by| [by, -by]);
+            let mut times = beside.map(|by| time + by * time.abs().max(1.0));
+            times.find(|beside| take(*beside, 1));
+        }
     }
 
     /// Gives back the room into which its lists have grown.

@@ -226,6 +226,7 @@ impl System {
             guess,
             scale: self.scale,
             is_pushed: false,
+            is_slow: self.is_slow,
             size: size(&extents),
             reach: reach(&extents),
             extents,

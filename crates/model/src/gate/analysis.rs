@@ -60,7 +60,10 @@ fn sample(rules: &mut Rules<'_>, sample: &Sample) {
 fn instants(rules: &mut Rules<'_>, analysis: &Analysis) {
     let needed = match analysis.kind {
         AnalysisKind::Assembly | AnalysisKind::Statics => false,
-        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics | AnalysisKind::Dynamics => true,
+        AnalysisKind::Kinematics
+        | AnalysisKind::InverseDynamics
+        | AnalysisKind::Dynamics
+        | AnalysisKind::QuasiStatics => true,
     };
     if !needed
         && analysis.outputs_at == OutputsAt::Events

@@ -1,11 +1,12 @@
 //! Integrated states: their rates, and where they are integrated.
 
 use super::Rules;
+use super::timed::not_free;
+use crate::State;
 use crate::error::Complaint;
 use crate::expression::Quantity;
 use crate::response::Catalogue;
 use crate::table::unit;
-use crate::{AnalysisKind, State};
 
 /// All rules of states.
 pub(super) fn states(rules: &mut Rules<'_>) {
@@ -38,8 +39,8 @@ pub(super) fn states(rules: &mut Rules<'_>) {
         }
     }
     let kind = model.analysis.as_ref().map(|analysis| analysis.kind);
-    if let Some(AnalysisKind::Kinematics | AnalysisKind::InverseDynamics) = kind {
-        let message = "states are integrated in a free motion, and drivers prescribe this one";
+    if let Some(why) = kind.and_then(not_free) {
+        let message = format!("states are integrated in a free motion, and {why}");
         let hint =
             "take \"dynamics\", where drivers may leave something free, or leave the states out";
         rules.complain("states", message, hint);

@@ -84,22 +84,31 @@ fn whole(rules: &mut Rules<'_>, joint: &Joint, at: &str, has_end: bool) {
     }
 }
 
+/// Why a motion is not free.
+pub(super) fn not_free(kind: AnalysisKind) -> Option<&'static str> {
+    match kind {
+        AnalysisKind::Kinematics | AnalysisKind::InverseDynamics => {
+            Some("drivers prescribe this one")
+        }
+        AnalysisKind::QuasiStatics => Some("quasi-statics has none"),
+        AnalysisKind::Assembly | AnalysisKind::Dynamics | AnalysisKind::Statics => None,
+    }
+}
+
 /// Events can be evaluated, and the motion is one that has them.
 pub(super) fn events(rules: &mut Rules<'_>) {
     let model = rules.model;
     let kind = model.analysis.as_ref().map(|analysis| analysis.kind);
-    let is_driven = matches!(
-        kind,
-        Some(AnalysisKind::Kinematics | AnalysisKind::InverseDynamics)
-    );
+    let why = kind.and_then(not_free);
     let mut catalogue = None;
     for (name, joint) in &model.joints {
         for (key, timed) in of(joint) {
             let Some(timed) = timed else { continue };
             let path = format!("joints.{name}.{key}");
-            if is_driven && !rules.holes.has("analysis.type") {
-                let message =
-                    "what closes or opens needs a free motion, and drivers prescribe this one";
+            if let Some(why) = why
+                && !rules.holes.has("analysis.type")
+            {
+                let message = format!("what closes or opens needs a free motion, and {why}");
                 let hint =
                     "take \"dynamics\", where drivers may leave something free, or leave it out";
                 rules.complain(&path, message, hint);

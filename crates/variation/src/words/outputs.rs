@@ -139,6 +139,7 @@ fn force(system: &System, name: &str) -> Result<Force, String> {
         velocities: true,
         accelerations: true,
         reactions: true,
+        friction: true,
     };
     let channels = Channels::new(system, contents);
     let columns = channels.columns();

@@ -83,7 +83,10 @@ pub fn accuracy(
         .hint(hint)
         .into());
     };
-    let at_rest = analysis.kind == AnalysisKind::Statics;
+    let at_rest = matches!(
+        analysis.kind,
+        AnalysisKind::Statics | AnalysisKind::QuasiStatics
+    );
     if !outputs.forces.is_empty() {
         refuse(model, &ideal, &system, at_rest)?;
     }

@@ -79,7 +79,13 @@ pub fn missing(
                 missing.push(text.clone())
             }
             (AnalysisKind::Kinematics | AnalysisKind::InverseDynamics, None)
-            | (AnalysisKind::Assembly | AnalysisKind::Dynamics | AnalysisKind::Statics, _) => {}
+            | (
+                AnalysisKind::Assembly
+                | AnalysisKind::Dynamics
+                | AnalysisKind::Statics
+                | AnalysisKind::QuasiStatics,
+                _,
+            ) => {}
         }
         if kind == AnalysisKind::Statics {
             missing.extend(

@@ -23,6 +23,7 @@ fn spoken(kind: AnalysisKind) -> &'static str {
         AnalysisKind::InverseDynamics => "inverse dynamics",
         AnalysisKind::Dynamics => "forward dynamics",
         AnalysisKind::Statics => "statics",
+        AnalysisKind::QuasiStatics => "quasi-statics",
     }
 }
 

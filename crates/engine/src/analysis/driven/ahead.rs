@@ -29,11 +29,11 @@ pub(super) struct Ahead {
 
 impl Ahead {
     /// Of a mechanism; `None` where each instant is solved alone: with redundant constraints, massless links, or forces that depend
-    /// on multipliers.
+    /// on multipliers, and in slow motions.
     pub fn new(driven: &Driven, reactions: bool) -> Option<Self> {
         let system = driven.system;
         let depends = reactions && !system.dependent_forces.is_empty();
-        if system.links > 0 || depends {
+        if system.links > 0 || depends || system.is_slow {
             return None;
         }
         let zero = || vec![Lanes::ZERO; system.n()];

@@ -7,6 +7,7 @@ use crate::mechanism::driven::Driven;
 use crate::system::{Inputs, System};
 
 use super::super::clearance_link::{balance, carried};
+use super::outputs::rest;
 
 /// A motion that was followed, and can be asked for more of its rows.
 pub struct Between<'s> {
@@ -69,6 +70,7 @@ impl<'s> Between<'s> {
             } = self;
             balance(system, &driven.evaluation, inputs, sample);
             carried(driven, inputs, sample).ok()?;
+            rest(driven, sample);
         }
         Some(())
     }

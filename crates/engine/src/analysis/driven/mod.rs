@@ -9,6 +9,7 @@ mod paths;
 mod words;
 
 use super::assembly::{Assembled, assemble, check_driven, ranked};
+use super::channels::Contents;
 use super::clearance_link::forces;
 use super::control::{Control, Stop};
 use super::departure::{self, Departure};
@@ -32,8 +33,8 @@ pub(super) struct Settings {
     pub instants: Instants,
     /// Located events are outputs, too.
     pub at_events: bool,
-    /// Forces in joints and efforts of drivers are wanted.
-    pub reactions: bool,
+    /// What is computed.
+    pub contents: Contents,
 }
 
 /// Follows the drivers: the rows, how it went, and the motion where it can be asked for more rows.
@@ -49,9 +50,9 @@ pub(super) fn run<'s>(
     let Settings {
         instants,
         at_events,
-        reactions,
+        contents,
     } = settings;
-    refuse(system, reactions, at_events)?;
+    refuse(system, contents.reactions, at_events)?;
     let instants = instants.list(system)?;
     let (assembled, start) = from(system)?;
     let mut report = Report {
@@ -84,7 +85,7 @@ pub(super) fn run<'s>(
     let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
     report.statistics.steps = path.steps;
     report.statistics.rejected = path.rejected;
-    let mut outputs = Outputs::new(system, reactions, instants.len(), &mut report);
+    let mut outputs = Outputs::new(system, contents, instants.len(), &mut report);
     outputs.march(&mut driven, &path, &instants, at_events, control);
     let trajectory = outputs.finish();
     let done = driven.done;
@@ -92,7 +93,11 @@ pub(super) fn run<'s>(
     report.statistics.evaluations += done.evaluations;
     report.statistics.factorisations += done.factorisations;
     report.solve = clock.read();
-    Ok((trajectory, report, Between::new(driven, path, reactions)))
+    Ok((
+        trajectory,
+        report,
+        Between::new(driven, path, contents.reactions),
+    ))
 }
 
 /// Where the motion is followed from, and the drivers there: its start or, where that is singular, a position away from it on

@@ -39,28 +39,32 @@ pub(super) struct Outputs<'a, 'r> {
     gap: Interval,
     wavering: Interval,
     locking: Interval,
-    reactions: bool,
+    contents: Contents,
     /// Whether a formula without a value was told of.
     lacks_value: bool,
     outside: Outside,
     overrun: Overrun,
 }
 
-/// What a prescribed motion computes.
-fn contents(reactions: bool) -> Contents {
-    Contents {
-        velocities: true,
-        accelerations: true,
-        reactions,
+/// What a slow motion shows is at rest.
+pub(super) fn rest(driven: &mut Driven, sample: &mut Sample) {
+    if driven.system.is_slow {
+        sample.v.fill(0.0);
+        driven.evaluation.set_velocity(&sample.v);
     }
 }
 
 impl<'a, 'r> Outputs<'a, 'r> {
-    pub fn new(system: &'a System, reactions: bool, rows: usize, report: &'r mut Report) -> Self {
+    pub fn new(
+        system: &'a System,
+        contents: Contents,
+        rows: usize,
+        report: &'r mut Report,
+    ) -> Self {
         Outputs {
             system,
             links: ClearanceLinks::of(system),
-            recorder: Recorder::new(system, contents(reactions), rows),
+            recorder: Recorder::new(system, contents, rows),
             inputs: Inputs::still(system),
             sample: Sample::new(system),
             bridge: Bridge::new(system),
@@ -69,7 +73,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             gap: Interval::default(),
             wavering: Interval::default(),
             locking: Interval::default(),
-            reactions,
+            contents,
             lacks_value: false,
             outside: Outside::new(system),
             overrun: Overrun::default(),
@@ -108,7 +112,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         let instants = with_passages(instants, passages);
         let are_many = instants.len() >= WIDTH;
         let mut ahead = are_many
-            .then(|| Ahead::new(driven, self.reactions))
+            .then(|| Ahead::new(driven, self.contents.reactions))
             .flatten();
         for (index, instant) in instants.iter().enumerate() {
             control.progress.note(end + instant.time, 2.0 * end);
@@ -153,7 +157,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
 
     /// Columns without bound at an event. Massless links displace a change point, or take it away.
     fn unbounded(&mut self, driven: &mut Driven, path: &Path, event: &Event) -> Vec<String> {
-        let is_asked = event.kind == EventKind::ChangePoint && self.reactions;
+        let is_asked = event.kind == EventKind::ChangePoint && self.contents.reactions;
         if !is_asked || self.links.is_some() {
             return Vec::new();
         }
@@ -172,7 +176,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
             distance: 0.0,
             s,
         };
-        let of = (&self.inputs, contents(self.reactions));
+        let of = (&self.inputs, self.contents);
         self.bridge.unbounded(driven, path, near, of)
     }
 
@@ -199,7 +203,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         found: Option<f64>,
     ) -> Result<(), Failure> {
         if let Some(residual) = found {
-            if self.reactions {
+            if self.contents.reactions {
                 self.note_formulas(driven);
             }
             self.locking.close(&mut self.report.events);
@@ -225,7 +229,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
                 driven.factor(&self.inputs)?;
                 driven.velocity(&self.inputs, v);
                 driven.acceleration(&self.inputs, a);
-                if self.reactions || self.links.is_some() {
+                if self.contents.reactions || self.links.is_some() {
                     balance(system, &driven.evaluation, &self.inputs, &mut self.sample);
                     self.note_formulas(driven);
                     self.carry(driven);
@@ -261,12 +265,13 @@ impl<'a, 'r> Outputs<'a, 'r> {
     }
 
     /// Records the instant at hand.
-    fn record(&mut self, driven: &Driven, residual: f64) {
+    fn record(&mut self, driven: &mut Driven, residual: f64) {
         self.report.quality.constraint_residual =
             self.report.quality.constraint_residual.max(residual);
-        if self.reactions {
+        if self.contents.reactions {
             self.account();
         }
+        rest(driven, &mut self.sample);
         let at = driven.evaluation.kinematics(&self.inputs);
         self.overrun.note(self.system, &at);
         self.recorder
@@ -295,7 +300,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
     fn bridged(&mut self, driven: &mut Driven, path: &Path, near: Near) -> f64 {
         let tangent = self.sample.v.clone();
         let residual = near.settle(driven, &self.inputs, &mut self.sample);
-        if !(self.reactions || self.links.is_some()) {
+        if !(self.contents.reactions || self.links.is_some()) {
             return residual;
         }
         if near.is_regular(driven, path, &self.sample.q, &self.inputs) {

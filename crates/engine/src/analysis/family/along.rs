@@ -84,7 +84,7 @@ impl Member<'_> {
         let prepared = &self.family.prepared;
         let (nominal, question) = prepared.parts();
         let needs = Needs::new(prepared)?;
-        let depth = needs.depth(question.driven().reactions);
+        let depth = needs.depth(question.contents.reactions);
         if question.kind != Kind::Prescribed || nominal.links > 0 || depth == Depth::Forces {
             return None;
         }

@@ -86,7 +86,7 @@ impl<'f> Resting<'f> {
     /// Moves a mechanism into its equilibrium, and reads the row there.
     fn rest(&mut self, system: &System, values: &[f64], control: &Control) -> Result<(), Stop> {
         statics::refuse(system)?;
-        let (assembled, mut held) = equilibrium::start(system, false)?;
+        let (assembled, mut held) = equilibrium::start(system, 0.0, false)?;
         let balance = equilibrium::balance(&mut held, &assembled, control)?;
         self.read(&mut held);
         self.evaluation.row(&self.room.values);
@@ -127,7 +127,7 @@ impl<'f> Resting<'f> {
         {
             let arounds = Around::all(mechanisms, self.responses, values, lengths);
             if let Some(system) = mechanisms.at(values, 1.0)
-                && let Ok(mut held) = LinearisedSystem::new(&system, &kept.columns, &kept.q)
+                && let Ok(mut held) = LinearisedSystem::new(&system, &kept.columns, &kept.q, 0.0)
             {
                 self.follow(&mut held, &arounds, lengths, gradient);
             }

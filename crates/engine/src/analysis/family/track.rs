@@ -78,7 +78,7 @@ impl Track {
             || !system.initial_rates.is_empty()
             || changes.analysis
             || (is_sampled && changes.drivers)
-            || refuse(system, settings.reactions, false).is_err()
+            || refuse(system, settings.contents.reactions, false).is_err()
         {
             return None;
         }
@@ -88,7 +88,7 @@ impl Track {
         Some(Track {
             stations,
             solver: follower.driven.set_aside(),
-            reactions: settings.reactions,
+            reactions: settings.contents.reactions,
             needs: Needs::new(prepared)?,
             changes,
         })

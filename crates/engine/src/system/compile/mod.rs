@@ -35,8 +35,17 @@ use std::sync::Arc;
 /// # Errors
 /// Data that the analysis needs and the file lacks, all at once.
 pub fn compile(model: &Checked, analysis: AnalysisKind) -> Result<System, Complaints> {
-    let system = lower(model, missing(model, analysis))?;
+    let mut complaints = missing(model, analysis);
+    let mut joints = Joints::new(model, &mut complaints);
+    if analysis == AnalysisKind::QuasiStatics {
+        joints.slow();
+    }
+    let system = lower(model, joints, complaints)?;
     Ok(match analysis {
+        AnalysisKind::QuasiStatics => System {
+            is_slow: true,
+            ..system
+        },
         AnalysisKind::Assembly => system.closed(),
         AnalysisKind::Kinematics
         | AnalysisKind::InverseDynamics
@@ -50,11 +59,16 @@ pub fn compile(model: &Checked, analysis: AnalysisKind) -> Result<System, Compla
 /// # Errors
 /// Parameters that its joints need and the file lacks.
 pub fn compile_geometry(model: &Checked) -> Result<System, Complaints> {
-    lower(model, Vec::new())
+    let mut complaints = Vec::new();
+    let joints = Joints::new(model, &mut complaints);
+    lower(model, joints, complaints)
 }
 
-fn lower(model: &Model, mut complaints: Vec<Complaint>) -> Result<System, Complaints> {
-    let joints = Joints::new(model, &mut complaints);
+fn lower(
+    model: &Model,
+    joints: Joints<'_>,
+    complaints: Vec<Complaint>,
+) -> Result<System, Complaints> {
     if complaints.is_empty() {
         Ok(Compiler::new(model, joints).build())
     } else {
@@ -122,6 +136,7 @@ impl<'a> Compiler<'a> {
             size: 1.0,
             scale: Scale::SI,
             is_pushed: false,
+            is_slow: false,
             display: model.display.clone(),
             reach: 0.0,
             extents: Vec::new(),

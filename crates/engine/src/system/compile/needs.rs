@@ -13,6 +13,9 @@ use linkdyn_model::{
 };
 use std::collections::{HashMap, HashSet};
 
+/// Speed of sliding below which a motion of a radian or the mechanism's size a second does not slide but for round-off [m/s].
+const SLOW: f64 = 1e-12;
+
 /// What joints need beyond their own words, by their names.
 pub(super) struct Joints<'a> {
     /// Of gears.
@@ -32,6 +35,13 @@ impl<'a> Joints<'a> {
             surfaces: surfaces(model, complaints),
             frictions: frictions(model, complaints),
             touches: touches(model, complaints),
+        }
+    }
+
+    /// Makes friction that of a slow motion.
+    pub fn slow(&mut self) {
+        for law in self.frictions.values_mut() {
+            *law = law.slow(SLOW);
         }
     }
 }
@@ -174,9 +184,9 @@ pub(super) fn missing(model: &Model, analysis: AnalysisKind) -> Vec<Complaint> {
             Some("statics under gravity".to_string())
         }
         (AnalysisKind::Kinematics, Some(who)) => Some(who),
-        (AnalysisKind::Kinematics, None) | (AnalysisKind::Assembly | AnalysisKind::Statics, _) => {
-            None
-        }
+        // Gravity acts on the bodies whose mass is given.
+        (AnalysisKind::Kinematics, None)
+        | (AnalysisKind::Assembly | AnalysisKind::Statics | AnalysisKind::QuasiStatics, _) => None,
     };
     if let Some(why) = why {
         let ends = model.joints.values().flat_map(|joint| &joint.between);

@@ -11,7 +11,7 @@ impl Outputs<'_, '_> {
         self.wavering.close(&mut self.report.events);
         self.locking.close(&mut self.report.events);
         self.report.events.sort_by(|a, b| a.time.total_cmp(&b.time));
-        if self.reactions {
+        if self.contents.reactions {
             self.report.quality.power_imbalance = Some(self.powers.relative_imbalance());
         }
         let outside = self.outside.warnings(self.system);
@@ -26,14 +26,14 @@ impl Outputs<'_, '_> {
                 self.bridge.missing.join(", ")
             ));
         }
-        if !self.report.mobility.redundant.is_empty() && self.reactions {
+        if !self.report.mobility.redundant.is_empty() && self.contents.reactions {
             self.report.warnings.push(format!(
                 "constraints of {} are redundant: the reactions of {} are the ones of least norm, not the only ones",
                 self.report.mobility.redundant.join(", "),
                 self.report.mobility.reactions_not_unique.join(", ")
             ));
         }
-        if self.reactions {
+        if self.contents.reactions {
             self.report.warnings.extend(unsure_friction(
                 self.system,
                 &self.report.mobility.reactions_not_unique,
