@@ -60,6 +60,7 @@ mod joint_friction;
 mod joints;
 mod laws;
 mod lengths;
+mod measures;
 mod outlines;
 mod outputs;
 mod racks;

@@ -162,6 +162,7 @@ impl Argument {
             Argument::Spring(name, order) => (catalogue.spring_turns(name) == Some(true), order),
             Argument::Turn(_, order) => (true, order),
             Argument::Slide(_, order) => (false, order),
+            Argument::Measure(name, order) => (catalogue.measures_angle(name) == Some(true), order),
         };
         let dimension = match (is_angle, order) {
             (true, Order::Value) => Dimension::Angle,

@@ -39,6 +39,8 @@ pub enum Argument {
     Turn(String, Order),
     /// Slide of a joint along its axis, first point to second \[m\].
     Slide(String, Order),
+    /// A measure [m or rad].
+    Measure(String, Order),
 }
 
 /// A coordinate of a frame.
@@ -81,7 +83,8 @@ impl Argument {
             | Argument::Point(_, _, order)
             | Argument::Spring(_, order)
             | Argument::Turn(_, order)
-            | Argument::Slide(_, order) => *order,
+            | Argument::Slide(_, order)
+            | Argument::Measure(_, order) => *order,
         }
     }
 }

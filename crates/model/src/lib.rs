@@ -36,6 +36,7 @@ mod gate;
 mod hold;
 mod json;
 mod load;
+mod measure;
 mod motion;
 mod node;
 mod point;
@@ -76,6 +77,7 @@ pub use gate::Checked;
 pub use hold::unheld;
 pub use joint::{Joint, JointKind};
 pub use load::{Loaded, load, load_file};
+pub use measure::Measurement;
 pub use motion::Motion;
 pub use optimise::Optimise;
 pub use point::PointRef;
@@ -143,6 +145,8 @@ pub struct Model {
     pub initial: IndexMap<String, Initial>,
     /// Body points whose motion is wanted among the results.
     pub points: Vec<PointRef>,
+    /// Lengths and angles of points, as columns.
+    pub measures: IndexMap<String, Measurement>,
     /// What is to be computed.
     pub analysis: Option<Analysis>,
     /// What is asked of its accuracy.

@@ -327,16 +327,17 @@ impl Printer<'_> {
             };
             out.insert(key.clone(), value);
         }
-        // Of two keys of which one is needed, the first is written where both may be left out.
-        let has_either = |out: &Map<String, Value>, keys: [&str; 2]| {
+        // Of keys of which one is needed, the first is written where all may be left out.
+        let has_either = |out: &Map<String, Value>, keys: &[&str]| {
             keys.iter().any(|key| {
                 let other = object.field(key).zip(tree.get(key));
                 out.contains_key(*key)
                     || other.is_some_and(|(field, value)| !is_default(value, field))
             })
         };
-        let needed = object.either.filter(|either| either.needed.is_some());
-        let needed = needed.filter(|either| !has_either(&out, either.keys));
+        let needed = object.either.as_ref();
+        let needed = needed.filter(|either| either.needed.is_some());
+        let needed = needed.filter(|either| !has_either(&out, &either.keys));
         let needed = needed.map(|either| either.keys[0]);
         for field in object.fields.iter().filter(|field| !is_written(field.key)) {
             if let Some(value) = tree.get(field.key)

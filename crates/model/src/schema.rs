@@ -129,11 +129,12 @@ fn object(object: &Object, kind: Option<&str>) -> Keys {
             keys.insert("x-driven".into(), "column of this output".into());
         }
     }
-    if let Some(either) = object.either {
-        let [first, second] = either.keys.map(|key| json!({ "required": [key] }));
+    if let Some(either) = &object.either {
+        let each = either.keys.iter().map(|key| json!({ "required": [key] }));
+        let each: Value = each.collect();
         match (either.needed, either.exclusive) {
-            (Some(_), false) => keys.insert("anyOf".into(), json!([first, second])),
-            (Some(_), true) => keys.insert("oneOf".into(), json!([first, second])),
+            (Some(_), false) => keys.insert("anyOf".into(), each),
+            (Some(_), true) => keys.insert("oneOf".into(), each),
             (None, _) => keys.insert("not".into(), json!({ "required": either.keys })),
         };
     }

@@ -279,12 +279,12 @@ impl Object {
     }
 }
 
-/// Two keys of an object of which one may be needed, or both may be too many.
-#[derive(Debug, Clone, Copy)]
+/// Keys of an object of which one may be needed, or two may be too many.
+#[derive(Debug)]
 pub struct Either {
     /// The keys.
-    pub keys: [&'static str; 2],
-    /// What to say where none is there; nothing: both may be left out.
+    pub keys: Vec<&'static str>,
+    /// What to say where none is there; nothing: all may be left out.
     pub needed: Option<&'static str>,
     /// Whether they exclude each other.
     pub exclusive: bool,

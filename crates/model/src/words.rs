@@ -315,9 +315,8 @@ fn beside(row: &'static str, object: &mut Object) -> Option<()> {
         return Some(());
     }
     // "one of a, b: …", "any of a, b: …", "not both a, b"
-    let (first, second) = rest.split_once(' ')?.1.split_once(", ")?;
     object.either = Some(Either {
-        keys: [first, second],
+        keys: rest.split_once(' ')?.1.split(", ").collect(),
         needed: (!said.is_empty()).then_some(said),
         exclusive: word != "any",
     });

@@ -32,12 +32,14 @@ pub enum Channel {
     Output(usize),
     /// An integrated state.
     State(usize, StateQuantity),
+    /// A measure of the model.
+    Measure(usize, StateQuantity),
 }
 
-/// An integrated state, in the SI unit of its own.
+/// An integrated state or a measure, in the SI unit of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StateQuantity {
-    /// The state.
+    /// The state or measure.
     Value,
     /// Its rate.
     Rate,
@@ -221,8 +223,12 @@ impl Channel {
             Channel::State(state, StateQuantity::Value) => {
                 Some(Channel::State(state, StateQuantity::Rate))
             }
+            Channel::Measure(measure, StateQuantity::Value) => {
+                Some(Channel::Measure(measure, StateQuantity::Rate))
+            }
             Channel::Time
             | Channel::State(..)
+            | Channel::Measure(..)
             | Channel::Joint(..)
             | Channel::Driver(..)
             | Channel::Energy(_)

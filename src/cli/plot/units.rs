@@ -153,6 +153,7 @@ pub fn quantity_words(channel: Channel) -> &'static str {
         Channel::Transmission(quantity) => quantity.name(),
         Channel::Output(_) => "ratio",
         Channel::State(..) => "state",
+        Channel::Measure(..) => "measure",
     }
 }
 

@@ -31,9 +31,9 @@ const fn part(
 }
 
 const PARTS: &[Part] = &[
-    part("model", &["crates/model/src"], "rs", 16_415),
-    part("engine", &["crates/engine/src"], "rs", 41_950),
-    part("variation", &["crates/variation/src"], "rs", 5_010),
+    part("model", &["crates/model/src"], "rs", 16_570),
+    part("engine", &["crates/engine/src"], "rs", 42_060),
+    part("variation", &["crates/variation/src"], "rs", 5_015),
     part("linear", &["crates/linear/src"], "rs", 3_460),
     part(
         "study and optimise",
@@ -42,7 +42,7 @@ const PARTS: &[Part] = &[
         3_910,
     ),
     part("ask", &["crates/ask/src"], "rs", 7_630),
-    part("output", &["crates/output/src"], "rs", 2_040),
+    part("output", &["crates/output/src"], "rs", 2_050),
     part("picture", &["crates/picture/src"], "rs", 9_130),
     part("pages", &["crates/picture/src"], "js", 3_910),
     part("library", &["src"], "rs", 5_050),
@@ -50,7 +50,7 @@ const PARTS: &[Part] = &[
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_300),
     part("python package", &["python/linkdyn"], "py", 1_500),
-    part("tests", &["tests"], "rs", 43_700),
+    part("tests", &["tests"], "rs", 43_950),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

@@ -240,6 +240,7 @@ fn relative(
     let turn = Measured::Turn {
         first: data.bodies()[0],
         second: data.bodies()[1],
+        from: 0.0,
     };
     let slide = || {
         let [first, second] = data.points();

@@ -45,6 +45,7 @@ enum ColumnGroup {
     /// Of the stops of a force.
     Stroke(usize),
     State(usize, Vec<StateQuantity>),
+    Measure(usize, Vec<StateQuantity>),
     Energy(Vec<EnergyQuantity>),
 }
 
@@ -107,6 +108,7 @@ impl Channels {
             ColumnGroup::Driver(_, wanted) => {
                 wanted.iter().all(|one| *one == DriverQuantity::Value)
             }
+            ColumnGroup::Measure(_, wanted) => !wanted.contains(&StateQuantity::Rate),
             ColumnGroup::Joint(..)
             | ColumnGroup::Stroke(_)
             | ColumnGroup::State(..)
@@ -123,6 +125,7 @@ impl Channels {
             | ColumnGroup::Body(..)
             | ColumnGroup::Point(..)
             | ColumnGroup::State(..)
+            | ColumnGroup::Measure(..)
             | ColumnGroup::Energy(_) => false,
         })
     }
@@ -165,6 +168,13 @@ impl Channels {
                         StateQuantity::Rate => system.states[*state].rate.value(&at),
                     }));
                 }
+                ColumnGroup::Measure(measure, wanted) => {
+                    let [value, rate] = system.measured[*measure].measured.value(&at);
+                    row.extend(wanted.iter().map(|quantity| match quantity {
+                        StateQuantity::Value => value,
+                        StateQuantity::Rate => rate,
+                    }));
+                }
                 ColumnGroup::Energy(wanted) => row.extend(
                     wanted
                         .iter()
@@ -190,6 +200,7 @@ impl Channels {
                 | Channel::Transmission(_)
                 | Channel::Relative(..)
                 | Channel::State(..)
+                | Channel::Measure(..)
                 | Channel::Output(_),
             )
             | None => f64::NAN,
@@ -207,6 +218,9 @@ impl ColumnGroup {
             Channel::Joint(joint, quantity) => Some(ColumnGroup::Joint(joint, vec![quantity])),
             Channel::Driver(driver, quantity) => Some(ColumnGroup::Driver(driver, vec![quantity])),
             Channel::State(state, quantity) => Some(ColumnGroup::State(state, vec![quantity])),
+            Channel::Measure(measure, quantity) => {
+                Some(ColumnGroup::Measure(measure, vec![quantity]))
+            }
             Channel::Energy(quantity) => Some(ColumnGroup::Energy(vec![quantity])),
             Channel::Load(force, LoadQuantity::Stop) => Some(ColumnGroup::Stroke(force)),
             Channel::Relative(..)
@@ -239,6 +253,12 @@ impl ColumnGroup {
                 true
             }
             (ColumnGroup::State(own, wanted), Channel::State(state, quantity)) if *own == state => {
+                wanted.push(quantity);
+                true
+            }
+            (ColumnGroup::Measure(own, wanted), Channel::Measure(measure, quantity))
+                if *own == measure =>
+            {
                 wanted.push(quantity);
                 true
             }
@@ -294,6 +314,14 @@ impl Contents {
                     &data.name,
                     data.units[order],
                 )
+            }));
+        }
+        for (measure, data) in system.measured.iter().enumerate() {
+            let [unit, of_rate] = data.units();
+            let rate = self.velocities.then_some((StateQuantity::Rate, of_rate));
+            let own = [(StateQuantity::Value, unit)].into_iter().chain(rate);
+            columns.extend(own.map(|(quantity, unit)| {
+                Column::of(Channel::Measure(measure, quantity), &data.name, unit)
             }));
         }
         columns.extend(

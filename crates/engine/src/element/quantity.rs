@@ -3,7 +3,7 @@
 //! ```text
 //! along      s = a·d               a = A₁ e, of length one; d = P₂ − P₁          [m]
 //! distance   s = |d|                                                            [m]
-//! turn       s = θ₂ − θ₁                                                        [rad]
+//! turn       s = θ₂ − θ₁ + from                                                 [rad]
 //! ```
 //!
 //! each with its rate ṡ. A coordinate of a point is one along an axis of the ground from the ground's origin. With the columns
@@ -44,6 +44,8 @@ pub enum Measured {
         first: BodyId,
         /// The body that is measured.
         second: BodyId,
+        /// What is added, as where directions of the bodies are measured and not their frames \[rad\].
+        from: f64,
     },
 }
 
@@ -68,7 +70,7 @@ impl Measured {
             Measured::Along { first, second, .. } | Measured::Distance { first, second } => {
                 [first.body, second.body]
             }
-            Measured::Turn { first, second } => [*first, *second],
+            Measured::Turn { first, second, .. } => [*first, *second],
         }
     }
 
@@ -92,8 +94,12 @@ impl Measured {
                 let (d, rate) = apart(first, second);
                 direction(d).map_or([0.0; 2], |(u, length)| [length, u.dot(&rate)])
             }
-            Measured::Turn { first, second } => [
-                at.poses[second.0].theta - at.poses[first.0].theta,
+            Measured::Turn {
+                first,
+                second,
+                from,
+            } => [
+                at.poses[second.0].theta - at.poses[first.0].theta + from,
                 at.twists[second.0].omega - at.twists[first.0].omega,
             ],
         }

@@ -126,6 +126,7 @@ fn slopes_are_the_derivatives_of_formulas() {
     let turn = Measured::Turn {
         first: BodyId(1),
         second: BodyId(3),
+        from: 0.0,
     };
     let measured = [along(1), along(3), slide, apart, turn];
     let quantities = measured.map(|one| [Quantity::Value(one), Quantity::Rate(one)]);

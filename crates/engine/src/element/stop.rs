@@ -115,6 +115,7 @@ impl Stop {
             Travel::Turn => Measured::Turn {
                 first: first.body,
                 second: second.body,
+                from: 0.0,
             },
             Travel::Along(axis) => Measured::Along {
                 first,

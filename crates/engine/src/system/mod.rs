@@ -34,6 +34,7 @@ pub use joint::JointData;
 pub use mass::Mass;
 pub use matrices::{Terms, write_matrix_market};
 pub use pushes::{ForceLaw, Pushes};
+pub(crate) use roles::MeasuredColumn;
 pub use roles::{
     ClearanceLink, DriverRole, ForceData, ForceRole, JointFriction, JointRole, OutputRatio,
 };
@@ -184,6 +185,8 @@ pub struct System {
     pub(crate) timed: Vec<TimedData>,
     /// Laws of drivers and forces that have breaks.
     pub(crate) broken: Vec<Law>,
+    /// Lengths and angles among the results.
+    pub(crate) measured: Vec<MeasuredColumn>,
     /// Ratios of velocities among the results.
     pub(crate) outputs: Vec<OutputRatio>,
     /// [m/s²]

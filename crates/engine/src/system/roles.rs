@@ -181,6 +181,25 @@ pub struct ClearanceLink {
     pub(crate) radius: f64,
 }
 
+/// A length or an angle among the results.
+#[derive(Debug, Clone)]
+pub(crate) struct MeasuredColumn {
+    /// As the file names it.
+    pub name: String,
+    /// What it is.
+    pub measured: Measured,
+}
+
+impl MeasuredColumn {
+    /// SI units of itself and of its rate.
+    pub fn units(&self) -> [&'static str; 2] {
+        match self.measured {
+            Measured::Turn { .. } => ["rad", "rad/s"],
+            Measured::Distance { .. } | Measured::Along { .. } => ["m", "m/s"],
+        }
+    }
+}
+
 /// A ratio of two velocities among the results.
 #[derive(Debug, Clone)]
 pub struct OutputRatio {

@@ -207,6 +207,7 @@ impl System {
             branch: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
+            measured: Vec::new(),
             outputs: Vec::new(),
             formulas: Vec::new(),
             states: Vec::new(),

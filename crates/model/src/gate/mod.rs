@@ -10,6 +10,7 @@ mod clearance;
 mod drivers;
 mod forces;
 mod holes;
+mod measures;
 mod motions;
 mod names;
 mod optimise;
@@ -161,6 +162,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     names::wanted_points(&mut rules);
     analysis::analysis(&mut rules);
     accuracy::accuracy(&mut rules);
+    measures::measures(&mut rules);
     outputs::outputs(&mut rules);
     responses::responses(&mut rules);
     optimise::optimise(&mut rules);

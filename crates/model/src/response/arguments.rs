@@ -62,6 +62,14 @@ impl Catalogue {
                 let driver = rest.strip_suffix(".value").filter(|driver| known(driver))?;
                 Some(Argument::Driver(driver.to_owned()))
             }
+            ("measure", rest) => {
+                let (name, order) = match rest.strip_suffix(".rate") {
+                    Some(name) => (name, Order::Rate),
+                    None => (rest, Order::Value),
+                };
+                self.measures_angle(name)?;
+                Some(Argument::Measure(name.to_owned(), order))
+            }
             ("joint", rest) => {
                 let (joint, word) = rest.rsplit_once('.')?;
                 let own = self.joints.iter().find(|one| one.name == joint)?;
@@ -86,6 +94,17 @@ impl Catalogue {
     /// The dimension of a state, where there is one of this name.
     pub(crate) fn state(&self, name: &str) -> Option<Powers> {
         Some(self.states.iter().find(|one| one.0 == name)?.1)
+    }
+
+    /// Whether a measure is an angle; `None` if there is no such measure.
+    pub(crate) fn measures_angle(&self, name: &str) -> Option<bool> {
+        Some(self.measures.iter().find(|one| one.0 == name)?.1)
+    }
+
+    /// The names of measures and their rates.
+    pub(super) fn measured(&self) -> impl Iterator<Item = String> {
+        let names = self.measures.iter();
+        names.flat_map(|(name, _)| [format!("measure.{name}"), format!("measure.{name}.rate")])
     }
 
     /// The tables, with the dimensions of their columns.
@@ -130,6 +149,7 @@ impl Catalogue {
         }
         names.extend(self.drivers.iter().map(|one| format!("driver.{}", one.0)));
         names.extend(self.states.iter().map(|one| format!("state.{}", one.0)));
+        names.extend(self.measured());
         names
     }
 }

@@ -25,6 +25,8 @@ pub struct Catalogue {
     pub(super) tables: Vec<(String, [Powers; 2])>,
     /// States with their dimensions.
     pub(super) states: Vec<(String, Powers)>,
+    /// Measures, and whether each is an angle.
+    pub(super) measures: Vec<(String, bool)>,
     /// What drives and what is driven, where the analysis wants a transmission.
     pub(super) transmission: Option<[Dimension; 2]>,
 }
@@ -99,6 +101,9 @@ impl Catalogue {
             });
             catalogue.transmit(wanted.driver.as_deref(), slides);
         }
+        let measures = model.measures.iter();
+        let measures = measures.map(|(name, measure)| (name.clone(), measure.is_angle()));
+        catalogue.measures = measures.collect();
         let outputs = model.outputs.iter();
         catalogue.put_out(outputs.map(|(name, text)| (name.as_str(), text.as_str())));
         let tables = model.tables.iter();
@@ -203,6 +208,9 @@ impl Catalogue {
             });
             catalogue.transmit(word("driver"), slides);
         }
+        let measures = members("measures").into_iter();
+        let measures = measures.map(|(name, one)| (name.clone(), one.node.get("angle").is_some()));
+        catalogue.measures = measures.collect();
         let outputs = members("outputs").into_iter();
         catalogue
             .put_out(outputs.filter_map(|(name, one)| Some((name.as_str(), one.node.as_str()?))));

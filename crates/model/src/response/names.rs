@@ -143,6 +143,7 @@ impl Catalogue {
             "shaking" => return of(&SHAKING, word),
             "transmission" => return self.transmitted(word),
             "state" => return self.state(word),
+            "measure" => return self.measure(word, 0),
             "output" => return self.outputs.iter().find(|one| one.0 == word)?.1,
             _ => {}
         }
@@ -166,6 +167,7 @@ impl Catalogue {
                     (_, _) => None,
                 }
             }
+            ("measure", measure) if word == "rate" => self.measure(measure, 1),
             ("state", state) if word == "rate" => Some(self.state(state)?.per_second(1)),
             ("force", force) => {
                 let (_, words) = self.force_words().find(|(name, _)| *name == force)?;
@@ -177,6 +179,15 @@ impl Catalogue {
             }
             (_, _) => None,
         }
+    }
+
+    /// The dimension of a measure or a derivative of it by time.
+    fn measure(&self, name: &str, order: i32) -> Option<Powers> {
+        let dimension = match self.measures_angle(name)? {
+            true => Dimension::Angle,
+            false => Dimension::Length,
+        };
+        Some(dimension.powers().per_second(order))
     }
 
     /// Names of forces, and the last words of their columns.
@@ -287,6 +298,7 @@ impl Catalogue {
             names.extend(words.iter().map(|word| format!("force.{name}.{word}")));
         }
         names.extend(self.outputs.iter().map(|one| format!("output.{}", one.0)));
+        names.extend(self.measured());
         for (state, _) in &self.states {
             names.extend([format!("state.{state}"), format!("state.{state}.rate")]);
         }

@@ -212,32 +212,31 @@ impl Walk<'_> {
             let value = self.hole(&field.shape, &join(path, field.key));
             out.insert(field.key.to_owned(), value);
         }
-        if let Some(either) = object.either {
+        if let Some(either) = &object.either {
             self.either(node, either, out, path);
         }
     }
 
-    /// Complains where none of two keys is there, or both are and must not be.
-    fn either(&mut self, node: &Node, either: Either, out: &IndexMap<String, Tree>, path: &str) {
-        let [first, second] = either.keys;
-        match (out.contains_key(first), out.contains_key(second)) {
-            (false, false) => {
-                if let Some(hint) = either.needed {
-                    let complaint = Complaint::new(path, format!("{first:?} is missing"));
-                    self.complain(node, complaint.hint(hint));
-                    if either.exclusive {
-                        self.holes.add(&join(path, first));
-                    }
+    /// Complains where none of the keys is there, or two are and must not be.
+    fn either(&mut self, node: &Node, either: &Either, out: &IndexMap<String, Tree>, path: &str) {
+        let mut given = either.keys.iter().filter(|key| out.contains_key(**key));
+        let Some(first) = given.next() else {
+            if let Some(hint) = either.needed {
+                let key = either.keys[0];
+                let complaint = Complaint::new(path, format!("{key:?} is missing"));
+                self.complain(node, complaint.hint(hint));
+                if either.exclusive {
+                    self.holes.add(&join(path, key));
                 }
             }
-            (true, true) if either.exclusive => {
-                let message = format!("{first:?} and {second:?} exclude each other");
-                let complaint = Complaint::new(join(path, second), message);
-                let at = node.get(second).unwrap_or(node);
-                self.complain(at, complaint.hint("keep one of them"));
-                self.holes.add(&join(path, second));
-            }
-            (true, _) | (_, true) => {}
+            return;
+        };
+        for second in given.filter(|_| either.exclusive) {
+            let message = format!("{first:?} and {second:?} exclude each other");
+            let complaint = Complaint::new(join(path, second), message);
+            let at = node.get(second).unwrap_or(node);
+            self.complain(at, complaint.hint("keep one of them"));
+            self.holes.add(&join(path, second));
         }
     }
 

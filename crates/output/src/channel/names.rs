@@ -4,7 +4,7 @@
 //! time                    energy.kinetic          transmission.ratio
 //! crank.x                 shaking.fx              transmission.b.angle
 //! crank.A.x               joint.b.fx              driver.motor.effort     force.spring.length
-//! output.leverage         joint.guide.slide
+//! output.leverage         joint.guide.slide       measure.grip            measure.grip.rate
 //! ```
 //!
 //! Names of owners have no dot, and no quantity of a body or a point is one of what else begins with the same word: the body
@@ -36,6 +36,8 @@ impl Channel {
             Channel::Output(_) => format!("{OUTPUT}.{owner}"),
             Channel::State(_, StateQuantity::Value) => format!("{STATE}.{owner}"),
             Channel::State(_, StateQuantity::Rate) => format!("{STATE}.{owner}.rate"),
+            Channel::Measure(_, StateQuantity::Value) => format!("{MEASURE}.{owner}"),
+            Channel::Measure(_, StateQuantity::Rate) => format!("{MEASURE}.{owner}.rate"),
         }
     }
 
@@ -54,6 +56,9 @@ impl Channel {
                 }
                 (None, None) if owner == STATE && !word.is_empty() => {
                     Some((Channel::State(0, StateQuantity::Value), word))
+                }
+                (None, None) if owner == MEASURE && !word.is_empty() => {
+                    Some((Channel::Measure(0, StateQuantity::Value), word))
                 }
                 (None, None) => None,
             },
@@ -74,6 +79,7 @@ impl Channel {
             Channel::Relative(_, quantity) => Channel::Relative(number, quantity),
             Channel::Output(_) => Channel::Output(number),
             Channel::State(_, quantity) => Channel::State(number, quantity),
+            Channel::Measure(_, quantity) => Channel::Measure(number, quantity),
             Channel::Driver(_, quantity) => Channel::Driver(number, quantity),
             Channel::Load(_, quantity) => Channel::Load(number, quantity),
             Channel::Transmission(TransmissionQuantity::Angle(_)) => {
@@ -89,9 +95,10 @@ impl Channel {
     }
 }
 
-/// The first word of the names of outputs, and of states.
+/// The first word of the names of outputs, of states, and of measures.
 const OUTPUT: &str = "output";
 const STATE: &str = "state";
+const MEASURE: &str = "measure";
 
 /// Channels of the whole mechanism, by the first word and the quantity.
 fn of_all(kind: &str, word: &str) -> Option<Channel> {
@@ -112,6 +119,7 @@ fn of_one(kind: &str, word: &str) -> Option<Channel> {
         },
         "driver" => Some(Channel::Driver(0, find(&DriverQuantity::ALL, word)?)),
         STATE => (word == "rate").then_some(Channel::State(0, StateQuantity::Rate)),
+        MEASURE => (word == "rate").then_some(Channel::Measure(0, StateQuantity::Rate)),
         "force" => Some(Channel::Load(0, find(&LoadQuantity::ALL, word)?)),
         "transmission" => find(&[TransmissionQuantity::Angle(0)], word).map(Channel::Transmission),
         _ => None,

@@ -111,6 +111,7 @@ fn worth(channel: Option<Channel>) -> Worth {
             | Channel::Shaking(_)
             | Channel::Transmission(_)
             | Channel::State(..)
+            | Channel::Measure(..)
             | Channel::Output(_),
         )
         | None => Worth::Overall,

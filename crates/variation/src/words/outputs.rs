@@ -155,6 +155,7 @@ fn force(system: &System, name: &str) -> Result<Force, String> {
         | Channel::Transmission(_)
         | Channel::Relative(..)
         | Channel::State(..)
+        | Channel::Measure(..)
         | Channel::Output(_) => None,
     };
     let forces = columns.iter().filter(|column| column.unit.starts_with('N'));

@@ -99,6 +99,7 @@ impl Follows {
                     | Channel::Joint(..)
                     | Channel::Driver(..)
                     | Channel::State(..)
+                    | Channel::Measure(..)
                     | Channel::Energy(_),
                 )
                 | None => continue,
@@ -130,6 +131,7 @@ impl Follows {
             | Channel::Shaking(_)
             | Channel::Transmission(_)
             | Channel::State(..)
+            | Channel::Measure(..)
             | Channel::Output(_) => false,
         }
     }
@@ -256,6 +258,7 @@ fn is_carried(column: &Column) -> bool {
             | Channel::Load(..)
             | Channel::Transmission(_)
             | Channel::State(..)
+            | Channel::Measure(..)
             | Channel::Output(_),
         )
         | None => false,

@@ -94,6 +94,7 @@ fn is_pressure(model: &Model, catalogue: &Catalogue, formula: &Formula) -> bool 
         | Argument::Turn(..)
         | Argument::Time
         | Argument::State(_)
+        | Argument::Measure(..)
         | Argument::Point(..)
         | Argument::Spring(..)
         | Argument::Slide(..) => false,

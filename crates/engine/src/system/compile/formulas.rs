@@ -7,13 +7,14 @@ use crate::element::formula::{Formula, Function, MOST_ARGUMENTS, Strength};
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::{BodyId, Marker};
 use crate::motion::{Curve, Law, Shape};
-use crate::system::{DriverRole, OutputRatio, StateData, TimedData, Trigger};
-use linkdyn_linear::math::Vec2;
+use crate::system::{DriverRole, MeasuredColumn, OutputRatio, StateData, TimedData, Trigger};
+use linkdyn_linear::math::{Vec2, perp, unit};
 use linkdyn_model::event::Event;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
 use linkdyn_model::ratio::Ratio;
 use linkdyn_model::response::{Catalogue, Fixed, Look, Program, Tangent};
 use linkdyn_model::{ForceKind, Interpolation, PointRef, Table, Value};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// The origin of the ground.
@@ -165,6 +166,7 @@ impl Compiler<'_> {
             DriverRole::Rotation { body, relative_to } => Measured::Turn {
                 first: relative_to,
                 second: body,
+                from: 0.0,
             },
             DriverRole::Length {
                 between: [first, second],
@@ -216,6 +218,7 @@ impl Compiler<'_> {
                 let turn = Measured::Turn {
                     first: self.body(&first.body),
                     second: self.body(&second.body),
+                    from: 0.0,
                 };
                 (vec![turn], order)
             }
@@ -231,12 +234,65 @@ impl Compiler<'_> {
                 };
                 (vec![along], order)
             }
+            Argument::Measure(name, order) => {
+                (vec![self.measured(&self.model.measures[name])], order)
+            }
         };
         let of = match order {
             Order::Value => Quantity::Value,
             Order::Rate => Quantity::Rate,
         };
         measured.into_iter().map(of).collect()
+    }
+
+    /// What a measure measures; an angle is within half a turn where the bodies are drawn.
+    fn measured(&self, measure: &linkdyn_model::Measurement) -> Measured {
+        // the gate has counted the points, and a line is of one body
+        let line = |points: &[PointRef]| {
+            let [from, to] = [&points[0], &points[1]].map(|point| self.marker(point));
+            (from, to.s - from.s)
+        };
+        match measure {
+            linkdyn_model::Measurement::Distance([first, second]) => Measured::Distance {
+                first: self.marker(first),
+                second: self.marker(second),
+            },
+            linkdyn_model::Measurement::DistanceToLine(points) => {
+                let (first, along) = line(&points[1..]);
+                Measured::Along {
+                    first,
+                    second: self.marker(&points[0]),
+                    axis: perp(unit(along)),
+                }
+            }
+            linkdyn_model::Measurement::Angle(points) => {
+                let [(first, base), (second, along)] = [line(&points[..2]), line(&points[2..])];
+                let [first, second] = [first.body, second.body];
+                let from = along.y.atan2(along.x) - base.y.atan2(base.x);
+                let drawn = self.drawn(second) - self.drawn(first) + from;
+                Measured::Turn {
+                    first,
+                    second,
+                    from: from - TAU * (drawn / TAU).round(),
+                }
+            }
+        }
+    }
+
+    /// The angle at which a body is drawn \[rad\].
+    fn drawn(&self, body: BodyId) -> f64 {
+        let columns = self.system.layout.columns(body);
+        columns.map_or(0.0, |columns| self.system.guess[columns.theta()])
+    }
+
+    /// Measures among the results.
+    pub(super) fn add_measures(&mut self) {
+        for (name, measure) in &self.model.measures {
+            self.system.measured.push(MeasuredColumn {
+                name: name.clone(),
+                measured: self.measured(measure),
+            });
+        }
     }
 
     /// What a spring's length or angle is the sum of; nothing where a force has none.
@@ -256,6 +312,7 @@ impl Compiler<'_> {
             ForceKind::TorsionSpring { between, .. } => vec![Measured::Turn {
                 first: self.body(&between[0]),
                 second: self.body(&between[1]),
+                from: 0.0,
             }],
             ForceKind::Load { .. } | ForceKind::Torque { .. } => Vec::new(),
         }
@@ -376,6 +433,7 @@ fn coordinate_of(coordinate: Coordinate, point: Marker) -> Measured {
         Coordinate::Angle => Measured::Turn {
             first: BodyId::GROUND,
             second: point.body,
+            from: 0.0,
         },
     }
 }

@@ -116,6 +116,7 @@ impl<'a> Compiler<'a> {
             branch: Vec::new(),
             forces: Vec::new(),
             force_data: Vec::new(),
+            measured: Vec::new(),
             outputs: Vec::new(),
             formulas: Vec::new(),
             states: Vec::new(),
@@ -169,6 +170,7 @@ impl<'a> Compiler<'a> {
         self.add_states();
         self.add_events();
         self.add_strands();
+        self.add_measures();
         self.add_outputs();
         self.system.scale = Scale::of(&self.system);
         self.system.kinks = self.kinks();

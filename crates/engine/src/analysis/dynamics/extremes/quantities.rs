@@ -76,6 +76,7 @@ pub fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize)
             | Channel::Transmission(_)
             | Channel::Relative(..)
             | Channel::State(..)
+            | Channel::Measure(..)
             | Channel::Output(_) => (2, false, None),
         };
         let of_joint = |quantity| at(Channel::Joint(joint?, quantity));
