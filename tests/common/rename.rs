@@ -40,6 +40,7 @@ pub fn rename_and_reverse(model: &Model) -> Model {
             }
             DriverKind::Translation { joint } => *joint = renamed(joint),
             DriverKind::Length { between } => between.iter_mut().for_each(reference),
+            DriverKind::Point { point, .. } => reference(point),
         }
     }
     model.forces = reversed(model.forces);

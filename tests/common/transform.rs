@@ -173,7 +173,9 @@ pub fn is_absolute(driver: &Driver) -> bool {
         DriverKind::Rotation { relative_to, .. } => {
             relative_to.as_deref().is_none_or(|body| body == GROUND)
         }
-        DriverKind::Translation { .. } | DriverKind::Length { .. } => false,
+        DriverKind::Translation { .. } | DriverKind::Length { .. } | DriverKind::Point { .. } => {
+            false
+        }
     }
 }
 

@@ -198,7 +198,9 @@ impl Scale {
     fn driven(&self, driver: &Driver) -> f64 {
         match driver.kind {
             DriverKind::Rotation { .. } => self.angle,
-            DriverKind::Translation { .. } | DriverKind::Length { .. } => self.length,
+            DriverKind::Translation { .. }
+            | DriverKind::Length { .. }
+            | DriverKind::Point { .. } => self.length,
         }
     }
 
@@ -220,6 +222,9 @@ impl Scale {
             DriverKind::Length { between } => {
                 let between = between.each_ref().map(PointRef::to_string);
                 json!({ "type": "length", "between": between, "motion": motion })
+            }
+            DriverKind::Point { point, axis } => {
+                json!({ "type": "point", "point": point.to_string(), "axis": axis, "motion": motion })
             }
             DriverKind::Translation { joint } => {
                 json!({ "type": "translation", "joint": joint, "motion": motion })

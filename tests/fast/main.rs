@@ -67,6 +67,7 @@ mod racks;
 mod responses;
 mod rolling;
 mod schema;
+mod several_freedoms;
 mod shaking;
 mod side_by_side;
 mod similarity;

@@ -74,7 +74,9 @@ impl Measured {
     pub fn dimension(&self, model: &Model) -> Option<Dimension> {
         let effort = |driver: &str| match model.drivers.get(driver)?.kind {
             DriverKind::Rotation { .. } => Some(Dimension::Torque),
-            DriverKind::Translation { .. } | DriverKind::Length { .. } => Some(Dimension::Force),
+            DriverKind::Translation { .. }
+            | DriverKind::Length { .. }
+            | DriverKind::Point { .. } => Some(Dimension::Force),
         };
         match self {
             Measured::Column(column) => Column::read(column)?.dimension(effort),

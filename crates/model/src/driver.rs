@@ -38,4 +38,21 @@ pub enum DriverKind {
         /// Its ends.
         between: [PointRef; 2],
     },
+    /// A coordinate of a point, in the ground's frame.
+    Point {
+        /// The point.
+        point: PointRef,
+        /// Its coordinate.
+        axis: PointAxis,
+    },
+}
+
+/// A coordinate of a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum PointAxis {
+    /// Along the ground's x axis.
+    X,
+    /// Along the ground's y axis.
+    Y,
 }

@@ -69,7 +69,7 @@ pub use clearance::{
 };
 pub use derive::Dependence;
 pub use dimension::{Dimension, Powers};
-pub use driver::{Driver, DriverKind};
+pub use driver::{Driver, DriverKind, PointAxis};
 pub use expression::{Derivatives, Interval, Leaf, Parameter};
 pub use fit::Fit;
 pub use force::{Force, ForceKind, Frame, Value};

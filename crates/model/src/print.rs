@@ -59,7 +59,9 @@ fn print(source: &Source, model: &Model) -> Value {
     let drivers = model.drivers.iter().map(|(name, driver)| {
         let dimension = match driver.kind {
             DriverKind::Rotation { .. } => Dimension::Angle,
-            DriverKind::Translation { .. } | DriverKind::Length { .. } => Dimension::Length,
+            DriverKind::Translation { .. }
+            | DriverKind::Length { .. }
+            | DriverKind::Point { .. } => Dimension::Length,
         };
         (name.clone(), dimension)
     });

@@ -124,7 +124,7 @@ impl<'m> Newton<'m> {
                     newton.number(body),
                     relative_to.as_deref().and_then(|to| newton.number(to)),
                 ),
-                DriverKind::Length { .. } => panic!("accuracy has none"),
+                DriverKind::Length { .. } | DriverKind::Point { .. } => panic!("accuracy has none"),
                 DriverKind::Translation { joint } => {
                     let index = model.joints.get_index_of(joint).expect("a joint");
                     match &newton.joints[index].kind {

@@ -31,9 +31,9 @@ const fn part(
 }
 
 const PARTS: &[Part] = &[
-    part("model", &["crates/model/src"], "rs", 16_570),
-    part("engine", &["crates/engine/src"], "rs", 42_060),
-    part("variation", &["crates/variation/src"], "rs", 5_015),
+    part("model", &["crates/model/src"], "rs", 16_610),
+    part("engine", &["crates/engine/src"], "rs", 42_145),
+    part("variation", &["crates/variation/src"], "rs", 5_020),
     part("linear", &["crates/linear/src"], "rs", 3_460),
     part(
         "study and optimise",
@@ -41,16 +41,16 @@ const PARTS: &[Part] = &[
         "rs",
         3_910,
     ),
-    part("ask", &["crates/ask/src"], "rs", 7_630),
+    part("ask", &["crates/ask/src"], "rs", 7_635),
     part("output", &["crates/output/src"], "rs", 2_050),
-    part("picture", &["crates/picture/src"], "rs", 9_130),
+    part("picture", &["crates/picture/src"], "rs", 9_155),
     part("pages", &["crates/picture/src"], "js", 3_910),
     part("library", &["src"], "rs", 5_050),
     part("of it the command", &["src/cli"], "rs", 3_610),
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_300),
     part("python package", &["python/linkdyn"], "py", 1_500),
-    part("tests", &["tests"], "rs", 43_950),
+    part("tests", &["tests"], "rs", 44_050),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

@@ -245,6 +245,7 @@ pub fn names(model: &mut Model) -> Vec<&mut String> {
             }
             DriverKind::Translation { joint } => names.push(joint),
             DriverKind::Length { between } => names.extend(between.iter_mut().flat_map(of_point)),
+            DriverKind::Point { point, .. } => names.extend(of_point(point)),
         }
     }
     for force in model.forces.values_mut() {

@@ -123,6 +123,7 @@ impl Finder<'_> {
                 DriverKind::Rotation {
                     body, pin: None, ..
                 } => found[0].push(body),
+                DriverKind::Point { point, .. } => found[0].push(point.0),
                 DriverKind::Length { between } => {
                     found[0].extend(
                         between

@@ -144,7 +144,9 @@ fn of_driver(name: &str, driver: &Driver, units: &DisplayUnits) -> Option<String
     let tolerance = driver.tolerance?;
     let text = match driver.kind {
         DriverKind::Rotation { .. } => units.angle(tolerance),
-        DriverKind::Translation { .. } | DriverKind::Length { .. } => units.length(tolerance),
+        DriverKind::Translation { .. } | DriverKind::Length { .. } | DriverKind::Point { .. } => {
+            units.length(tolerance)
+        }
     };
     Some(format!("driver {name} ±{text}"))
 }
@@ -203,9 +205,11 @@ fn of_output(output: &AccuracyOutput, model: &Model) -> String {
             let alone = || model.drivers.keys().next().cloned().unwrap_or_default();
             let name = at.driver.clone().unwrap_or_else(alone);
             let value = match model.drivers.get(&name).map(|driver| &driver.kind) {
-                Some(DriverKind::Translation { .. } | DriverKind::Length { .. }) => {
-                    units.length(at.value)
-                }
+                Some(
+                    DriverKind::Translation { .. }
+                    | DriverKind::Length { .. }
+                    | DriverKind::Point { .. },
+                ) => units.length(at.value),
                 Some(DriverKind::Rotation { .. }) | None => units.angle(at.value),
             };
             format!("at {name} {value}")

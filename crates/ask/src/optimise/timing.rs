@@ -119,7 +119,11 @@ pub fn sets(model: &Model, point: &PointRef, timing: Option<&Timing>, rows: usiz
         }
         (None, Some(sample)) => {
             let unit = match model.drivers.get(&sample.driver).map(|own| &own.kind) {
-                Some(DriverKind::Translation { .. } | DriverKind::Length { .. }) => "m",
+                Some(
+                    DriverKind::Translation { .. }
+                    | DriverKind::Length { .. }
+                    | DriverKind::Point { .. },
+                ) => "m",
                 Some(DriverKind::Rotation { .. }) | None => "rad",
             };
             let step = (sample.to - sample.from).abs() / (rows - 1) as f64;

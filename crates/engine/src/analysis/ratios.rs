@@ -1,7 +1,8 @@
-//! Outputs: how fast one quantity changes by another, where the mechanism has one degree of freedom.
+//! Outputs: how fast one quantity changes by another, where the mechanism has one degree of freedom, or by one of its drivers while
+//! the others stand still.
 //!
 //! ```text
-//! J_j t = 0                joint rows alone (drivers apart); one t but for its length
+//! J_j t = 0                joint rows alone, beside several drivers those of the others; one t but for its length
 //! dA/dB = (∂A/∂q t)/(∂B/∂q t)
 //! ```
 //!
@@ -15,7 +16,7 @@ use super::rows::{Columns, Replay};
 use crate::element::Kinematics;
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::span::BOTH;
-use crate::system::System;
+use crate::system::{DriverId, System};
 use linkdyn_output::{Channel, Column};
 
 /// Part of the largest motion of the mechanism below which a quantity does not change: round-off of the tangent.
@@ -40,6 +41,8 @@ struct SumPart {
 /// One output, and in how many rows it is empty.
 struct Ratio {
     output: usize,
+    /// The driver that moves alone, where there are others.
+    by: Option<DriverId>,
     parts: [SumPart; 2],
     still: usize,
     free: usize,
@@ -91,6 +94,9 @@ impl<'s> Ratios<'s> {
         let ratio = |column: &Column| match column.channel {
             Some(Channel::Output(output)) => Some(Ratio {
                 output,
+                by: system.outputs[output]
+                    .by
+                    .filter(|_| system.drivers.len() > 1),
                 parts: system.outputs[output]
                     .quantities
                     .each_ref()
@@ -116,10 +122,16 @@ impl<'s> Ratios<'s> {
         }
         self.rows += 1;
         let system = self.replay.system;
-        let tangent = tangent(system, self.replay.jacobian());
+        let mut tangents: Vec<(Option<DriverId>, Result<Vec<f64>, usize>)> = Vec::new();
+        for by in self.ratios.iter().map(|ratio| ratio.by) {
+            if tangents.iter().all(|(known, _)| *known != by) {
+                tangents.push((by, tangent(system, self.replay.jacobian(), by)));
+            }
+        }
         let at = self.replay.kinematics();
         for ratio in &mut self.ratios {
-            let Ok(tangent) = &tangent else {
+            let tangent = tangents.iter().find(|(by, _)| *by == ratio.by);
+            let Some((_, Ok(tangent))) = tangent else {
                 ratio.free += 1;
                 line.push(f64::NAN);
                 continue;

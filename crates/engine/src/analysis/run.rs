@@ -339,17 +339,20 @@ impl Prepared {
     }
 }
 
-/// Outputs are of mechanisms that move in one way. Near a position ranks are highest, so that more freedom there is more
+/// Outputs are of mechanisms that move in one way, or by one of several drivers that determine the motion. Near a position ranks are highest, so that more freedom there is more
 /// everywhere, unless it is singular itself, which the count is not; less may be redundancy.
 fn one_freedom(system: &System) -> Result<(), Complaint> {
-    let Some(output) = system.outputs.first() else {
-        return Ok(());
-    };
-    let mobility = assembly::counted(system);
-    let freedom = mobility.rank;
-    if freedom.min(mobility.grubler) <= 1 {
+    if system.outputs.is_empty() {
         return Ok(());
     }
+    let mobility = assembly::counted(system);
+    let freedom = mobility.rank;
+    let are_driven = freedom == system.drivers.len() as i64;
+    let mut outputs = system.outputs.iter();
+    let unclear = outputs.find(|output| !are_driven || output.by.is_none());
+    let (2.., Some(output)) = (freedom.min(mobility.grubler), unclear) else {
+        return Ok(());
+    };
     let message = format!(
         "a ratio of velocities wants a mechanism with one degree of freedom, and this one has {freedom} without its drivers"
     );
@@ -358,6 +361,9 @@ fn one_freedom(system: &System) -> Result<(), Complaint> {
     let is_open =
         joints.any(|joint| joint.extras().bearing.is_some() && joint.extras().contact.is_some());
     Err(complaint.hint(match is_open {
+        false if are_driven => {
+            "divide by a driver, d(rod.B.x)/d(driver.left): the others stand still beside it"
+        }
         false => "hold what shall not move by joints",
         true => {
             "journals that move in their bearings count: give the clearances the model \"ideal\""

@@ -10,7 +10,7 @@
 //! (Berkof and Lowen, J. Eng. Ind. 91, 1969, of the inertia part alone). Checked against that balance in `tests/fast/shaking.rs`.
 
 use super::rows::{Columns, Frame, PlaceInRow, Replay};
-use crate::element::{Applied, BodyId, direction};
+use crate::element::{Applied, Axis, BodyId, direction};
 use crate::system::{DriverRole, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_output::{
@@ -272,8 +272,24 @@ fn driver_shares(system: &System, columns: &Columns) -> Option<Vec<Share>> {
                     effort: effort?,
                 });
             }
-            // no driver of a model is one
-            DriverRole::Coordinate { .. } => {}
+            DriverRole::Coordinate { origin, axis } => {
+                let axis = match axis {
+                    Axis::X => Vec2::x(),
+                    Axis::Y => Vec2::y(),
+                    // no driver of a model turns a body like this
+                    Axis::Theta => continue,
+                };
+                let Some(sign) = side([BodyId::GROUND, origin.body]) else {
+                    continue;
+                };
+                shares.push(Share::Along {
+                    sign,
+                    at: PlaceInRow::of(system, columns, &origin)?,
+                    guide: Frame::of(columns, BodyId::GROUND)?,
+                    axis,
+                    effort: effort?,
+                });
+            }
             DriverRole::Translation { joint } => {
                 let joint = &system.joints[joint.0];
                 let (Some(sign), Some(axis)) = (side(joint.bodies()), joint.role().axis()) else {

@@ -1,6 +1,6 @@
 //! What joints, drivers and forces are, as far as results beside the equations ask: no words, numbers only.
 
-use super::JointId;
+use super::{DriverId, JointId};
 use crate::element::formula::Strength;
 use crate::element::quantity::Measured;
 use crate::element::{Axis, BodyId, Marker, Measure};
@@ -73,7 +73,7 @@ pub enum DriverRole {
         /// Its ends.
         between: [Marker; 2],
     },
-    /// It moves a point of a body along an axis, or turns the body: on the way from the drawing to the start alone.
+    /// It moves a point of a body along an axis of the ground, or turns the body, as on the way from the drawing to the start.
     Coordinate {
         /// The point.
         origin: Marker,
@@ -207,6 +207,8 @@ pub struct OutputRatio {
     pub name: String,
     /// What is divided, and by what: sums.
     pub(crate) quantities: [Vec<Measured>; 2],
+    /// The driver by which it is divided, where it is one: beside others, these are held.
+    pub(crate) by: Option<DriverId>,
     /// Of the ratio, in SI.
     pub(crate) unit: &'static str,
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::Rules;
 use crate::tree::word;
-use crate::{DriverKind, GROUND, PointRef};
+use crate::{DriverKind, GROUND, PointAxis, PointRef};
 
 /// Complains about drivers of what can't be driven, or is driven already.
 pub(super) fn drivers(rules: &mut Rules<'_>) {
@@ -34,6 +34,12 @@ pub(super) fn drivers(rules: &mut Rules<'_>) {
                     continue;
                 }
                 length(rules, &path, between)
+            }
+            DriverKind::Point { point, axis } => {
+                if !known("point") || !known("axis") {
+                    continue;
+                }
+                coordinate(rules, &path, point, *axis)
             }
         };
         let Some(coordinate) = coordinate else {
@@ -92,6 +98,29 @@ fn length(rules: &mut Rules<'_>, path: &str, between: &[PointRef; 2]) -> Option<
         std::mem::swap(&mut first, &mut second);
     }
     Some(format!("the distance of {first} and {second}"))
+}
+
+/// The coordinate that a driver of a point prescribes, in words.
+fn coordinate(
+    rules: &mut Rules<'_>,
+    path: &str,
+    point: &PointRef,
+    axis: PointAxis,
+) -> Option<String> {
+    if point.body == GROUND {
+        let message = "ground is fixed, its points can't be moved";
+        rules.complain(
+            format!("{path}.point"),
+            message,
+            "name a point of a body that moves",
+        );
+        return None;
+    }
+    let axis = match axis {
+        PointAxis::X => "x",
+        PointAxis::Y => "y",
+    };
+    Some(format!("{axis} of {point}"))
 }
 
 /// The slide that a translation prescribes, in words.

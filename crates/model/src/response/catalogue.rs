@@ -71,7 +71,9 @@ impl Catalogue {
         for (name, driver) in &model.drivers {
             let dimension = match driver.kind {
                 DriverKind::Rotation { .. } => Dimension::Angle,
-                DriverKind::Translation { .. } | DriverKind::Length { .. } => Dimension::Length,
+                DriverKind::Translation { .. }
+                | DriverKind::Length { .. }
+                | DriverKind::Point { .. } => Dimension::Length,
             };
             catalogue.drivers.push((name.clone(), Some(dimension)));
         }

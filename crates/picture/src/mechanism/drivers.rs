@@ -14,6 +14,10 @@ pub fn driver_value(shape: &Shape, pose: &[Pose], driver: DriverKind) -> f64 {
             let [a, b] = between.map(|end| place(shape, pose, end));
             (b[0] - a[0]).hypot(b[1] - a[1])
         }
+        DriverKind::Point { point, axis } => {
+            let [x, y] = place(shape, pose, point);
+            axis[0] * x + axis[1] * y
+        }
         DriverKind::Translation { joint } => {
             let joint = &shape.joints[joint];
             let [a, b] = joint.between.map(|end| place(shape, pose, end));

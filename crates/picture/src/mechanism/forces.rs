@@ -113,6 +113,8 @@ impl Parts<'_> {
     /// An arrow around the pin to the left, or parallel to the guide: the positive direction of the driver's value.
     pub fn add_drivers(&mut self) {
         let (shape, edge) = (&self.mechanism.shape, Edge::of(ACCENT));
+        let [away, half] = BESIDE;
+        let along = || symbols::arrow("driver", [bars(-half, away), bars(half, away)], edge);
         for driver in &shape.drivers {
             match driver.kind {
                 DriverKind::Rotation { body, pin, .. } => {
@@ -124,11 +126,11 @@ impl Parts<'_> {
                 DriverKind::Translation { joint } => {
                     let joint = &shape.joints[joint];
                     let Some(axis) = joint.axis() else { continue };
-                    let [away, half] = BESIDE;
-                    let sign =
-                        symbols::arrow("driver", [bars(-half, away), bars(half, away)], edge);
                     let [first, second] = joint.between;
-                    self.with(Layer::Drivers, second, (first.0, axis), second.0, sign);
+                    self.with(Layer::Drivers, second, (first.0, axis), second.0, along());
+                }
+                DriverKind::Point { point, axis } => {
+                    self.with(Layer::Drivers, point, (0, axis), point.0, along());
                 }
             }
         }

@@ -29,12 +29,16 @@ impl Mechanism {
         let words = drivers.take(MOST_TOLD).map(|(driver, [low, high])| {
             let (factor, unit) = match driver.kind {
                 DriverKind::Rotation { .. } => (1f64.to_degrees(), "°"),
-                DriverKind::Translation { .. } | DriverKind::Length { .. }
+                DriverKind::Translation { .. }
+                | DriverKind::Length { .. }
+                | DriverKind::Point { .. }
                     if high.abs().max(low.abs()) < 10.0 =>
                 {
                     (1000.0, " mm")
                 }
-                DriverKind::Translation { .. } | DriverKind::Length { .. } => (1.0, " m"),
+                DriverKind::Translation { .. }
+                | DriverKind::Length { .. }
+                | DriverKind::Point { .. } => (1.0, " m"),
             };
             let value = driver_value(&self.shape, pose, driver.kind) * factor;
             let span = (high - low) * factor;

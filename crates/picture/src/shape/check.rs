@@ -66,7 +66,8 @@ impl Shape {
         let joints = self.joints.iter().flat_map(|joint| joint.between);
         let springs = self.springs.iter().flat_map(|spring| spring.between);
         let lengths = self.drivers.iter().filter_map(|driver| match driver.kind {
-            DriverKind::Length { between } => Some(between),
+            DriverKind::Length { between } => Some(between.to_vec()),
+            DriverKind::Point { point, .. } => Some(vec![point]),
             DriverKind::Rotation { .. } | DriverKind::Translation { .. } => None,
         });
         let loads = self.loads.iter().filter_map(|load| load.at);
@@ -87,7 +88,9 @@ impl Shape {
             DriverKind::Rotation {
                 body, relative_to, ..
             } => [Some(body), Some(relative_to)],
-            DriverKind::Translation { .. } | DriverKind::Length { .. } => [None, None],
+            DriverKind::Translation { .. }
+            | DriverKind::Length { .. }
+            | DriverKind::Point { .. } => [None, None],
         });
         let twisted = self.torsion_springs.iter().flat_map(|spring| spring.bodies);
         self.named_points()
@@ -103,7 +106,7 @@ impl Shape {
         let driven = self.drivers.iter().filter_map(|driver| match driver.kind {
             DriverKind::Rotation { pin, .. } => pin,
             DriverKind::Translation { joint } => Some(joint),
-            DriverKind::Length { .. } => None,
+            DriverKind::Length { .. } | DriverKind::Point { .. } => None,
         });
         driven.chain(self.torsion_springs.iter().filter_map(|spring| spring.pin))
     }

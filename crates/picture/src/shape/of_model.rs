@@ -39,7 +39,9 @@ impl Shape {
                 driven: true,
                 ..Spring::default()
             }),
-            DriverKind::Rotation { .. } | DriverKind::Translation { .. } => None,
+            DriverKind::Rotation { .. }
+            | DriverKind::Translation { .. }
+            | DriverKind::Point { .. } => None,
         });
         shape.springs = lengths.collect();
         for (name, force) in &model.forces {
@@ -149,6 +151,13 @@ fn driver_of(
         }
         model::DriverKind::Length { between } => DriverKind::Length {
             between: numbers.ends(between),
+        },
+        model::DriverKind::Point { point, axis } => DriverKind::Point {
+            point: numbers.point(point),
+            axis: match axis {
+                model::PointAxis::X => [1.0, 0.0],
+                model::PointAxis::Y => [0.0, 1.0],
+            },
         },
         model::DriverKind::Translation { joint } => DriverKind::Translation {
             joint: numbers.model.joints.get_index_of(joint)?,

@@ -106,7 +106,7 @@ pub struct Driver {
 }
 
 /// What a driver moves, by the words of the model file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum DriverKind {
     /// The angle of a body.
@@ -128,6 +128,13 @@ pub enum DriverKind {
     Length {
         /// First and second point.
         between: [PointId; 2],
+    },
+    /// A coordinate of a point.
+    Point {
+        /// The point.
+        point: PointId,
+        /// The direction of the coordinate.
+        axis: [f64; 2],
     },
 }
 

@@ -170,9 +170,15 @@ fn uncounted(model: &Model) -> Result<(), Complaint> {
         joints.find_map(|(name, joint)| Some((name, kind(&joint.kind).or_else(|| open(joint))?)));
     let found = found.map(|(name, kind)| (format!("joints.{name}"), kind));
     let mut drivers = model.drivers.iter();
-    let length = drivers.find(|(_, driver)| matches!(driver.kind, DriverKind::Length { .. }));
-    let length = length.map(|(name, _)| (format!("drivers.{name}"), "a driven length".to_owned()));
-    let Some((path, kind)) = found.or(length) else {
+    let driven = drivers.find_map(|(name, driver)| {
+        let kind = match driver.kind {
+            DriverKind::Length { .. } => "a driven length",
+            DriverKind::Point { .. } => "a driven point",
+            DriverKind::Rotation { .. } | DriverKind::Translation { .. } => return None,
+        };
+        Some((format!("drivers.{name}"), kind.to_owned()))
+    });
+    let Some((path, kind)) = found.or(driven) else {
         return Ok(());
     };
     let message = format!(
@@ -188,7 +194,7 @@ fn outside(model: &Model, unmet: &Unmet) -> Complaint {
     let (name, driver) = model.drivers.get_index(by.driver).expect("a driver");
     let text = |value: f64| match driver.kind {
         DriverKind::Rotation { .. } => model.display.angle_to(value, 6),
-        DriverKind::Translation { .. } | DriverKind::Length { .. } => {
+        DriverKind::Translation { .. } | DriverKind::Length { .. } | DriverKind::Point { .. } => {
             model.display.length_to(value, 6)
         }
     };

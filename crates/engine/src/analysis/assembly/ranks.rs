@@ -2,7 +2,7 @@
 
 use crate::element::coordinate::Coordinate;
 use crate::element::{Constraint, Equations, Kinematics};
-use crate::system::{Evaluation, Inputs, System};
+use crate::system::{DriverId, Evaluation, Inputs, System};
 use linkdyn_linear::rank::{
     BadEntry, DEPENDENCE_TOLERANCE, RankReport, SparseRows, free_direction, independent_rows,
     only_direction,
@@ -68,12 +68,26 @@ pub(super) fn free(system: &System, q: &[f64], inputs: &Inputs) -> Option<Vec<f6
 }
 
 /// How the joints let the coordinates move together (n), at most by their scales, where that is one motion; `jacobian` has the
-/// values of all entries.
+/// values of all entries. Where a driver is meant, all others are held.
 ///
 /// # Errors
 /// How many motions there are.
-pub(in crate::analysis) fn tangent(system: &System, jacobian: &[f64]) -> Result<Vec<f64>, usize> {
-    let Ok(rows) = rows_of(system, jacobian, system.joint_rows()) else {
+pub(in crate::analysis) fn tangent(
+    system: &System,
+    jacobian: &[f64],
+    by: Option<DriverId>,
+) -> Result<Vec<f64>, usize> {
+    let joints = system.joint_rows();
+    let rows = match by {
+        None => rows_of(system, jacobian, joints),
+        Some(driver) => {
+            let last = joints + system.drivers.len();
+            let own = system.driver_row(driver);
+            let held = entries(system, jacobian, last).filter(|(row, ..)| *row != own);
+            SparseRows::from_triplets(last, system.n(), &held.collect::<Vec<_>>())
+        }
+    };
+    let Ok(rows) = rows else {
         // beyond all numbers
         return Err(0);
     };

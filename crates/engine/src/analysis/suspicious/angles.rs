@@ -71,7 +71,12 @@ pub(super) fn angles(model: &Model, degrees: bool, found: &mut Vec<Complaint>) {
     }
     for (name, driver) in &model.drivers {
         let start = match (&driver.kind, &driver.motion) {
-            (DriverKind::Translation { .. } | DriverKind::Length { .. }, _) => continue,
+            (
+                DriverKind::Translation { .. }
+                | DriverKind::Length { .. }
+                | DriverKind::Point { .. },
+                _,
+            ) => continue,
             (DriverKind::Rotation { .. }, Motion::Polynomial { coefficients }) => coefficients
                 .first()
                 .map(|start| ("coefficients[0]", *start)),

@@ -2,6 +2,7 @@
 
 use super::Compiler;
 use super::laws::law;
+use super::roles::axis_of;
 use crate::element::coordinate::Coordinate;
 use crate::element::distance::Distance;
 use crate::element::driven::{DriveId, Rotation, Translation};
@@ -38,6 +39,15 @@ impl Compiler<'_> {
                         drive,
                     };
                     (Arc::new(length), Measure::Length)
+                }
+                DriverKind::Point { point, axis } => {
+                    let coordinate = Coordinate {
+                        origin: self.marker(point),
+                        axis: axis_of(*axis),
+                        value: 0.0,
+                        drive: Some(drive),
+                    };
+                    (Arc::new(coordinate), Measure::Length)
                 }
                 DriverKind::Translation { joint } => {
                     let joint = &self.model.joints[joint];

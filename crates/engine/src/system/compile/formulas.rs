@@ -5,9 +5,11 @@ use super::laws::law;
 use super::roles::joint_role;
 use crate::element::formula::{Formula, Function, MOST_ARGUMENTS, Strength};
 use crate::element::quantity::{Measured, Quantity};
-use crate::element::{BodyId, Marker};
+use crate::element::{Axis, BodyId, Marker};
 use crate::motion::{Curve, Law, Shape};
-use crate::system::{DriverRole, MeasuredColumn, OutputRatio, StateData, TimedData, Trigger};
+use crate::system::{
+    DriverId, DriverRole, MeasuredColumn, OutputRatio, StateData, TimedData, Trigger,
+};
 use linkdyn_linear::math::{Vec2, perp, unit};
 use linkdyn_model::event::Event;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
@@ -154,6 +156,12 @@ impl Compiler<'_> {
             let output = OutputRatio {
                 name: name.clone(),
                 quantities: ratio.quantities.each_ref().map(sum),
+                by: match &ratio.quantities[1] {
+                    Argument::Driver(driver) => {
+                        self.model.drivers.get_index_of(driver).map(DriverId)
+                    }
+                    _ => None,
+                },
                 unit: ratio.unit(),
             };
             self.system.outputs.push(output);
@@ -171,7 +179,11 @@ impl Compiler<'_> {
             DriverRole::Length {
                 between: [first, second],
             } => Measured::Distance { first, second },
-            DriverRole::Coordinate { .. } => unreachable!("no driver of a model is one"),
+            DriverRole::Coordinate { origin, axis } => match axis {
+                Axis::X => coordinate_of(Coordinate::X, origin),
+                Axis::Y => coordinate_of(Coordinate::Y, origin),
+                Axis::Theta => coordinate_of(Coordinate::Angle, origin),
+            },
             DriverRole::Translation { joint } => {
                 let joint = &self.system.joints[joint.0];
                 let [first, second] = joint.points();

@@ -1,10 +1,10 @@
 //! What joints, drivers and forces are, kept beside their equations.
 
 use super::Compiler;
-use crate::element::BodyId;
+use crate::element::{Axis, BodyId};
 use crate::system::{DriverRole, JointId, JointRole};
 use linkdyn_linear::math::{Vec2, unit};
-use linkdyn_model::{DriverKind, JointKind};
+use linkdyn_model::{DriverKind, JointKind, PointAxis};
 
 /// What a joint is.
 pub(super) fn joint_role(kind: &JointKind) -> JointRole {
@@ -29,6 +29,14 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
     }
 }
 
+/// A coordinate of a point as those of bodies.
+pub(super) fn axis_of(axis: PointAxis) -> Axis {
+    match axis {
+        PointAxis::X => Axis::X,
+        PointAxis::Y => Axis::Y,
+    }
+}
+
 impl Compiler<'_> {
     /// What a driver moves.
     pub(super) fn driver_role(&self, kind: &DriverKind) -> DriverRole {
@@ -41,6 +49,10 @@ impl Compiler<'_> {
             },
             DriverKind::Length { between } => DriverRole::Length {
                 between: between.each_ref().map(|end| self.marker(end)),
+            },
+            DriverKind::Point { point, axis } => DriverRole::Coordinate {
+                origin: self.marker(point),
+                axis: axis_of(*axis),
             },
             DriverKind::Translation { joint } => DriverRole::Translation {
                 // The loader knows each joint that a driver names.

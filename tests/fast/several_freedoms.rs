@@ -1,0 +1,180 @@
+//! Mechanisms with several freedoms: points led along paths, and what each driver moves.
+
+use crate::mechanisms::*;
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+
+const BASE: f64 = 0.4;
+const CRANK: f64 = 0.25;
+const ROD: f64 = 0.3;
+
+/// A five-bar whose cranks stand at the given angles, and whose rods meet in P.
+fn five_bar(drivers: Value) -> Value {
+    let bodies = json!({
+        "ground": { "points": { "L": [0, 0], "R": [BASE, 0] } },
+        "left": { "mass": 0.5, "inertia": 0.003, "com": [0.1, 0], "points": { "O": [0, 0], "A": [CRANK, 0] },
+                  "pose": { "angle": 1.9 } },
+        "right": { "mass": 0.5, "inertia": 0.003, "com": [0.1, 0], "points": { "O": [0, 0], "A": [CRANK, 0] },
+                   "pose": { "position": [BASE, 0], "angle": 1.3 } },
+        "near": { "mass": 0.3, "inertia": 0.002, "com": [0.15, 0], "points": { "A": [0, 0], "P": [ROD, 0] },
+                  "pose": { "position": [-0.08, 0.24], "angle": 0.4 } },
+        "far": { "mass": 0.3, "inertia": 0.002, "com": [0.15, 0], "points": { "A": [0, 0], "P": [ROD, 0] },
+                 "pose": { "position": [0.47, 0.24], "angle": 2.7 } } });
+    let joints = json!({
+        "l": pin("ground.L", "left.O"), "r": pin("ground.R", "right.O"),
+        "a": pin("left.A", "near.A"), "b": pin("right.A", "far.A"), "p": pin("near.P", "far.P") });
+    let mut model = model(bodies, joints, drivers);
+    model["points"] = json!(["near.P"]);
+    model
+}
+
+/// Angle of a crank about (x, 0) whose rod ends at P; the elbow on the side of `sign`.
+fn crank_angle(x: f64, p: [f64; 2], sign: f64) -> f64 {
+    let d = [p[0] - x, p[1]];
+    let length = d[0].hypot(d[1]);
+    let cos = (CRANK * CRANK + length * length - ROD * ROD) / (2.0 * CRANK * length);
+    d[1].atan2(d[0]) + sign * cos.acos()
+}
+
+#[test]
+fn a_five_bar_draws_a_circle() {
+    let law = |offset: f64, phase: f64| json!({ "type": "harmonic", "offset": offset, "amplitude": 0.06, "frequency": 0.5, "phase": phase });
+    let lead = |axis: &str, offset: f64, phase: f64| json!({ "type": "point", "point": "near.P", "axis": axis, "motion": law(offset, phase) });
+    let mut model = five_bar(json!({ "x": lead("x", 0.2, TAU / 4.0), "y": lead("y", 0.4, 0.0) }));
+    model["analysis"] = json!({ "type": "inverse_dynamics", "end": 2.0, "outputs": 73 });
+    model["responses"] = json!({ "fx0": "first(shaking.fx)", "fy0": "first(shaking.fy)", "fx1": "last(shaking.fx)", "fy1": "last(shaking.fy)" });
+    let run = completed(&model);
+    let of = |name: &str| column(&run, name);
+    let (x, y) = (of("near.P.x"), of("near.P.y"));
+    let (left, right) = (of("left.angle"), of("right.angle"));
+    for (row, time) in of("time").iter().enumerate() {
+        let (sin, cos) = (TAU * 0.5 * time).sin_cos();
+        let p = [0.2 + 0.06 * cos, 0.4 + 0.06 * sin];
+        close(x[row], p[0], 1e-14);
+        close(y[row], p[1], 1e-14);
+        close(left[row], crank_angle(0.0, p, 1.0), 1e-12);
+        close(right[row], crank_angle(BASE, p, -1.0), 1e-12);
+    }
+    // the force that leads the point does the work that the mechanism takes
+    assert!(run.report.quality.power_imbalance.expect("forces") < 1e-12);
+    // what acts on the ground is what the masses take, the hand at the point included
+    let bodies = [
+        ("left", 0.5, 0.1),
+        ("right", 0.5, 0.1),
+        ("near", 0.3, 0.15),
+        ("far", 0.3, 0.15),
+    ];
+    for (row, answers) in [(0, 0..2), (x.len() - 1, 2..4)] {
+        let mut sum = [0.0; 2];
+        for (body, mass, arm) in bodies {
+            let at = |word: &str| of(&format!("{body}.{word}"))[row];
+            let (sin, cos) = at("angle").sin_cos();
+            let (alpha, omega) = (at("alpha"), at("omega"));
+            sum[0] += mass * (at("ax") - arm * (alpha * sin + omega * omega * cos));
+            sum[1] += mass * (at("ay") + arm * (alpha * cos - omega * omega * sin) + 9.81);
+        }
+        for (answer, sum) in run.responses[answers].iter().zip(sum) {
+            close(answer.value.expect("a value"), -sum, 1e-11);
+        }
+    }
+}
+
+/// J = (∂P/∂θ) of a five-bar: (P − A)·(Ṗ − θ̇ k×a) = 0 for both rods.
+#[test]
+fn each_driver_moves_the_point_by_its_column_of_the_jacobian() {
+    let turn = |start: f64, velocity: f64, body: &str| {
+        json!({ "type": "rotation", "body": body,
+        "motion": { "type": "constant_velocity", "start": start, "velocity": velocity } })
+    };
+    let mut model = five_bar(json!({ "l": turn(1.7, 0.2, "left"), "r": turn(1.5, -0.1, "right") }));
+    model["outputs"] = json!({
+        "xl": "d(near.P.x)/d(driver.l)", "xr": "d(near.P.x)/d(driver.r)",
+        "yl": "d(near.P.y)/d(driver.l)", "yr": "d(near.P.y)/d(driver.r)" });
+    model["responses"] =
+        json!({ "dexterity": "min(abs(output.xl*output.yr - output.xr*output.yl))" });
+    model["analysis"] = json!({ "type": "kinematics", "end": 1.0, "outputs": 21 });
+    let run = completed(&model);
+    let of = |name: &str| column(&run, name);
+    let (x, y, left, right) = (
+        of("near.P.x"),
+        of("near.P.y"),
+        of("left.angle"),
+        of("right.angle"),
+    );
+    let entries = ["xl", "xr", "yl", "yr"].map(|name| of(&format!("output.{name}")));
+    let mut least = f64::INFINITY;
+    for row in 0..x.len() {
+        let rod = |foot: f64, angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            let e = [x[row] - foot - CRANK * cos, y[row] - CRANK * sin];
+            // e·k×a
+            (e, CRANK * (-sin * e[0] + cos * e[1]))
+        };
+        let ((e, l), (f, r)) = (rod(0.0, left[row]), rod(BASE, right[row]));
+        let det = e[0] * f[1] - e[1] * f[0];
+        let jacobian = [
+            f[1] * l / det,
+            -e[1] * r / det,
+            -f[0] * l / det,
+            e[0] * r / det,
+        ];
+        for (found, wanted) in entries.iter().zip(jacobian) {
+            close(found[row], wanted, 1e-12);
+        }
+        least = least.min((jacobian[0] * jacobian[3] - jacobian[1] * jacobian[2]).abs());
+    }
+    let found = run.responses[0].value.expect("a value");
+    assert!(
+        found <= least + 1e-12 && found > 0.99 * least,
+        "{found} and {least}"
+    );
+}
+
+#[test]
+fn what_moves_by_no_driver_alone_is_refused() {
+    let mut model = five_bar(json!({
+        "x": { "type": "point", "point": "near.P", "axis": "x", "motion": { "type": "constant_velocity", "start": 0.2, "velocity": 0.1 } } }));
+    model["outputs"] = json!({ "lean": "d(near.P.y)/d(driver.x)" });
+    model["analysis"] = json!({ "type": "dynamics", "end": 0.1, "outputs": 3 });
+    let refused = |model: &Value| {
+        let loaded = linkdyn_model::load(model.to_string().as_bytes(), &[]);
+        let found = match loaded {
+            Err(complaints) => complaints,
+            Ok(loaded) => linkdyn_engine::analysis::run(&loaded.model, &Default::default())
+                .map(|_| ())
+                .expect_err("a refusal"),
+        };
+        format!("{found:?}").replace("\\\"", "\"")
+    };
+    let said = refused(&model);
+    assert!(
+        said.contains("this one has 2 without its drivers"),
+        "{said}"
+    );
+    model["outputs"] = json!({});
+    for (driver, wanted) in [
+        (
+            json!({ "type": "point", "point": "ground.L", "axis": "x" }),
+            "ground is fixed, its points can't be moved",
+        ),
+        (
+            json!({ "type": "point", "point": "near.P", "axis": "z" }),
+            "drivers.y.axis",
+        ),
+        (
+            json!({ "type": "point", "point": "near.P", "axis": "x" }),
+            "x of near.P is driven by \"x\" already",
+        ),
+        (
+            json!({ "type": "point", "point": "near.Q", "axis": "y" }),
+            "near",
+        ),
+    ] {
+        let mut faulty = model.clone();
+        let mut driver = driver;
+        driver["motion"] = json!({ "type": "constant_velocity", "velocity": 0.1 });
+        faulty["drivers"]["y"] = driver;
+        let said = refused(&faulty);
+        assert!(said.contains(wanted), "{wanted}: {said}");
+    }
+}
