@@ -199,14 +199,39 @@ impl Trajectory {
     /// Smallest and largest value of every column, in one pass over the table.
     pub fn extremes(&self) -> Vec<Option<Extremes>> {
         let time = self.column_index(TIME);
-        let mut found: Vec<Option<Extremes>> = vec![None; self.width()];
-        for row in self.rows() {
-            let time = time.map_or(f64::NAN, |column| row[column]);
-            for (extremes, &value) in found.iter_mut().zip(row) {
-                Extremes::note(extremes, value, time);
+        let time = |row: usize| time.map_or(f64::NAN, |column| self.row(row)[column]);
+        let of_column = |(column, rows): (usize, Option<[usize; 2]>)| {
+            let [min, max] = rows?;
+            Some(Extremes {
+                min: self.row(min)[column],
+                min_time: time(min),
+                max: self.row(max)[column],
+                max_time: time(max),
+            })
+        };
+        let found = self.extreme_rows().into_iter().enumerate();
+        found.map(of_column).collect()
+    }
+
+    /// The first rows with the smallest and the largest value of every column, in one pass over the table.
+    pub fn extreme_rows(&self) -> Vec<Option<[usize; 2]>> {
+        let mut rows = vec![None; self.width()];
+        let mut ends = vec![[f64::INFINITY, f64::NEG_INFINITY]; self.width()];
+        for (row, values) in self.rows().enumerate() {
+            for (column, (&value, [min, max])) in values.iter().zip(&mut ends).enumerate() {
+                if value >= *min && value <= *max || !value.is_finite() {
+                    continue;
+                }
+                let [first, last] = rows[column].get_or_insert([row; 2]);
+                if value < *min {
+                    (*min, *first) = (value, row);
+                }
+                if value > *max {
+                    (*max, *last) = (value, row);
+                }
             }
         }
-        found
+        rows
     }
 }
 
@@ -231,7 +256,7 @@ mod tests {
     #[test]
     fn extremes_skip_empty_cells() {
         let mut table = Trajectory::new(columns(&["time", "a.x", "a.y"]));
-        for (time, x) in [(0.0, f64::NAN), (1.0, 3.0), (2.0, -1.0), (3.0, 3.0)] {
+        for (time, x) in [(0.0, f64::INFINITY), (1.0, 3.0), (2.0, -1.0), (3.0, 3.0)] {
             table.push_row(&[time, x, f64::NAN]);
         }
         let extremes = table.extremes();

@@ -5,9 +5,8 @@ use serde_json::{Value, json};
 use super::encode::{Source, Worth};
 use crate::cut::{self, Cut};
 use crate::html::escaped;
-use linkdyn_output::{
-    BodyQuantity, Channel, Column, ColumnId, ColumnView, DriverQuantity, PointQuantity, Trajectory,
-};
+use crate::numbers::evenly;
+use linkdyn_output::{BodyQuantity, Channel, Column, DriverQuantity, PointQuantity, Trajectory};
 
 /// `[name, unit, wanted]`.
 pub fn heading(source: &Source) -> String {
@@ -24,7 +23,11 @@ pub fn sources<'a>(
     let chosen = shown.width() < table.width();
     // The columns shown are a subsequence of all.
     let mut next = 0;
-    let results = table.columns.iter().enumerate().map(|(index, column)| {
+    let columns = |table: &'a Trajectory| {
+        let columns = table.columns.iter().enumerate();
+        columns.zip(table.extreme_rows())
+    };
+    let results = columns(table).map(|((index, column), ends)| {
         let wanted = shown.columns.get(next) == Some(column);
         next += usize::from(wanted);
         let worth = if chosen && wanted {
@@ -36,16 +39,17 @@ pub fn sources<'a>(
             column,
             table,
             index,
+            ends,
             worth,
             wanted,
         }
     });
     let derived = derived.into_iter().flat_map(|table| {
-        let columns = table.columns.iter().enumerate();
-        columns.map(move |(index, column)| Source {
+        columns(table).map(move |((index, column), ends)| Source {
             column,
             table,
             index,
+            ends,
             worth: Worth::Overall,
             wanted: true,
         })
@@ -55,17 +59,24 @@ pub fn sources<'a>(
 
 /// Columns with peaks beyond these have no cut of their own: a page of so many is about something else.
 const MOST_CUTS: usize = 1000;
-
-/// The values of a column, all rows of it.
-fn values<'a>(source: &Source<'a>) -> ColumnView<'a> {
-    source.table.column(ColumnId::at(source.index))
-}
+/// Rows from which a cut is found, beside those with extremes: a bulk needs no more.
+const SAMPLE: usize = 500;
 
 /// Where the axes of columns are cut, by name: of those that the page offers, and of the magnitudes that it makes of components.
 pub fn cuts(sources: &[Source]) -> Value {
+    let rows = sources.first().map_or(0, |source| source.table.len());
+    let sample = evenly(rows, SAMPLE);
+    let is_part = sample.len() < rows;
+    // Rows to look at of columns: the sample, and the extremes that it may lack.
+    let looked_at = |columns: &[Source]| {
+        let ends = columns.iter().filter(|_| is_part);
+        let ends = ends.flat_map(|source| source.ends.into_iter().flatten());
+        [sample.as_slice(), &ends.collect::<Vec<_>>()].concat()
+    };
     let offered = sources.iter().filter(|source| source.wanted);
-    let own = offered.clone().map(|source| {
-        let cut = Cut::of(values(source).iter());
+    let own = offered.map(|source| {
+        let rows = looked_at(std::slice::from_ref(source));
+        let cut = Cut::of(rows.into_iter().map(|row| source.value(row)));
         (source.column.name.clone(), cut)
     });
     let pairs = sources.windows(2).filter(|pair| {
@@ -75,11 +86,8 @@ pub fn cuts(sources: &[Source]) -> Value {
     });
     let magnitudes = pairs.map(|pair| {
         let name = pair[0].column.name.trim_end_matches('x').to_string();
-        let [fx, fy] = [&pair[0], &pair[1]].map(values);
-        (
-            name,
-            Cut::of(fx.iter().zip(fy.iter()).map(|(x, y)| x.hypot(y))),
-        )
+        let magnitude = |row| pair[0].value(row).hypot(pair[1].value(row));
+        (name, Cut::of(looked_at(pair).into_iter().map(magnitude)))
     });
     let found = own
         .chain(magnitudes)
@@ -122,6 +130,27 @@ fn worth(channel: Option<Channel>) -> Worth {
 mod tests {
     use super::*;
     use linkdyn_output::JointQuantity;
+
+    #[test]
+    fn a_single_peak_among_many_rows_is_cut() {
+        let names = ["a.x", "joint.a.fx", "joint.a.fy"];
+        let columns = names.iter().map(|&name| Column::new(name, "N"));
+        let mut table = Trajectory::new(columns.collect());
+        for row in 0..10 * SAMPLE {
+            let wave = (0.1 * row as f64).sin();
+            // In no row of the sample.
+            let peak = if row == 1235 { 1e6 } else { wave };
+            table.push_row(&[wave, 1.0, peak]);
+        }
+        let cuts = cuts(&sources(&table, &table, None));
+        assert!(cuts["a.x"].is_null(), "{cuts}");
+        for name in ["joint.a.fy", "joint.a.f"] {
+            assert!(
+                cuts[name][1].as_f64().is_some_and(|high| high < 4.0),
+                "{cuts}"
+            );
+        }
+    }
 
     #[test]
     fn columns_are_worth_what_they_show() {

@@ -5,7 +5,7 @@
 //! in which columns have their extremes stay, in up to half of the room for rows.
 
 use crate::numbers::Numbers;
-use linkdyn_output::{Column, ColumnId, Trajectory};
+use linkdyn_output::{Column, Trajectory};
 
 /// Rows below which columns are left out rather than more rows.
 const FEW_ROWS: usize = 500;
@@ -41,9 +41,18 @@ pub struct Source<'a> {
     pub table: &'a Trajectory,
     /// Its number in `table`.
     pub index: usize,
+    /// Rows in which it is smallest and largest.
+    pub ends: Option<[usize; 2]>,
     pub worth: Worth,
     /// Offered for plots and tables, or there for the drawing alone.
     pub wanted: bool,
+}
+
+impl Source<'_> {
+    /// Its value in a row.
+    pub fn value(&self, row: usize) -> f64 {
+        self.table.row(row)[self.index]
+    }
 }
 
 /// What of the columns and rows goes in.
@@ -132,23 +141,7 @@ fn extremes(sources: &[Source], least: Worth, most: usize) -> (Vec<usize>, bool)
             .filter(move |source| source.worth == worth && worth <= least)
     };
     for source in WORTHS.into_iter().flat_map(worthy) {
-        let values = source
-            .table
-            .column(ColumnId::at(source.index))
-            .iter()
-            .enumerate()
-            .filter(|(_, value)| value.is_finite());
-        let ends = values.fold(
-            [None; 2],
-            |[low, high]: [Option<(usize, f64)>; 2], (row, value)| {
-                let keep = |known: Option<(usize, f64)>, beats: fn(f64, f64) -> bool| match known {
-                    Some((_, best)) if !beats(value, best) => known,
-                    Some(_) | None => Some((row, value)),
-                };
-                [keep(low, |a, b| a < b), keep(high, |a, b| a > b)]
-            },
-        );
-        for (row, _) in ends.into_iter().flatten() {
+        for row in source.ends.into_iter().flatten() {
             if !rows.contains(&row) {
                 if rows.len() >= most {
                     return (rows, false);
@@ -192,10 +185,12 @@ mod tests {
     fn sources<'a>(table: &'a Trajectory, worths: &[Worth]) -> Vec<Source<'a>> {
         let columns = table.columns.iter().enumerate().zip(worths);
         columns
-            .map(|((index, column), &worth)| Source {
+            .zip(table.extreme_rows())
+            .map(|(((index, column), &worth), ends)| Source {
                 column,
                 table,
                 index,
+                ends,
                 worth,
                 wanted: true,
             })
