@@ -57,7 +57,9 @@ pub(crate) fn write(
         Some(directory.write_with(PEAKS, |file| csv::write(&peaks, file))?)
     };
     let report = match page {
-        Page::Wanted => Some(directory.write(REPORT, origin.html(outcome).as_bytes())?),
+        Page::Wanted => {
+            Some(directory.write_with(REPORT, |file| origin.write_page(outcome, file))?)
+        }
         Page::Unwanted => {
             directory.remove(REPORT)?;
             None

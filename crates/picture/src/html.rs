@@ -66,43 +66,55 @@ pub struct Live<'a> {
 impl Page<'_> {
     /// The page as the text of a file, which needs nothing else.
     pub fn html(&self) -> String {
-        framed(self.title, self.styles, self.body, &[])
+        let [before, after] = frame(self.title, self.styles, &[]);
+        [&before, self.body, &after].concat()
     }
 }
 
 impl Live<'_> {
     /// The page as the text of a file, which needs nothing else.
     pub fn html(&self) -> String {
+        let [before, between, after] = self.around();
+        [&before, self.data, &between, self.values, &after].concat()
+    }
+
+    /// The text before the data, between these and the values, and after them: for whoever writes what is too much to stand in
+    /// memory several times.
+    pub fn around(&self) -> [String; 3] {
         let script = [&SHARED, self.scripts].concat().concat();
-        let live = fill(
-            LIVE,
-            &[
-                ("data", self.data),
-                ("values", self.values),
-                ("licence", LICENCE),
-                ("plot_library", PLOT_LIBRARY),
-                ("script", &script),
-            ],
-        );
-        let body = [HEAD, self.body, "<footer id=\"foot\"></footer>\n", &live].concat();
+        let parts = [
+            ("licence", LICENCE),
+            ("plot_library", PLOT_LIBRARY),
+            ("script", &script),
+        ];
+        let (open, rest) = halves(LIVE, "{{data}}");
+        let (between, close) = halves(rest, "{{values}}");
+        let [open, between, close] = [open, between, close].map(|piece| fill(piece, &parts));
         let styles = [PLOT_STYLE, STYLE, self.style];
-        framed(self.title, &styles, &body, &[PLOT_LIBRARY, &script])
+        let [before, after] = frame(self.title, &styles, &[PLOT_LIBRARY, &script]);
+        let head = [HEAD, self.body, "<footer id=\"foot\"></footer>\n"].concat();
+        [
+            [before, head, open].concat(),
+            between,
+            [close, after].concat(),
+        ]
     }
 }
 
-fn framed(title: &str, styles: &[&str], body: &str, scripts: &[&str]) -> String {
+/// What stands before the body of a page, and what after it.
+fn frame(title: &str, styles: &[&str], scripts: &[&str]) -> [String; 2] {
     let style = [&[palette::style_sheet().as_str()], styles]
         .concat()
         .join("\n");
-    fill(
-        FRAME,
-        &[
-            ("policy", &policy(scripts, &style)),
-            ("title", &text(title)),
-            ("style", &style),
-            ("body", body),
-        ],
-    )
+    let (before, after) = halves(FRAME, "{{body}}");
+    let (policy, title) = (policy(scripts, &style), text(title));
+    let parts = [("policy", &*policy), ("title", &title), ("style", &style)];
+    [before, after].map(|piece| fill(piece, &parts))
+}
+
+/// What stands before a word of a template, and what after it.
+fn halves<'t>(template: &'t str, word: &str) -> (&'t str, &'t str) {
+    template.split_once(word).unwrap_or((template, ""))
 }
 
 /// A template with its `{{words}}` replaced, in one pass: what is put in is not looked at again.

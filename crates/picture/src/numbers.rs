@@ -1,6 +1,11 @@
 //! The numbers of a page as compact text: base64 (RFC 4648) of little-endian floats; what is no number, or has none so large, is a NaN.
 
+use std::io::{self, Write};
+
 use data_encoding::BASE64;
+
+/// Bytes whose text stands for itself.
+const GROUP: usize = 3;
 
 /// Numbers on their way into a page.
 #[derive(Debug)]
@@ -34,6 +39,16 @@ impl Numbers {
         values.into_iter().for_each(|value| self.push(value));
     }
 
+    /// Hands on the text of those so far, but for the bytes of a group that is not whole yet.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn hand_on(&mut self, out: &mut impl Write) -> io::Result<()> {
+        let whole = self.bytes.len() / GROUP * GROUP;
+        let bytes = self.bytes.drain(..whole);
+        out.write_all(BASE64.encode(bytes.as_slice()).as_bytes())
+    }
+
     /// The text of all.
     pub fn text(&self) -> String {
         BASE64.encode(&self.bytes)
@@ -60,6 +75,19 @@ mod tests {
         numbers.extend([1.0, f64::INFINITY, 1e300]);
         let expected = [1.0, f32::NAN, f32::NAN].map(f32::to_le_bytes).concat();
         assert_eq!(numbers.text(), BASE64.encode(&expected));
+    }
+
+    #[test]
+    fn what_is_handed_on_piece_by_piece_is_the_same_text() {
+        let [mut pieces, mut whole] = [Numbers::new(false), Numbers::new(false)];
+        let mut text = Vec::new();
+        for value in [1.0, -2.5, 1e-7, 3.0, f64::NAN] {
+            pieces.push(value);
+            pieces.hand_on(&mut text).expect("memory takes it");
+            whole.push(value);
+        }
+        text.extend(pieces.text().bytes());
+        assert_eq!(text, whole.text().into_bytes());
     }
 
     #[test]

@@ -147,5 +147,7 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
         derived: None,
         notes: Vec::new(),
     };
-    page.html()
+    let mut text = Vec::new();
+    page.write(&mut text).expect("memory takes it");
+    String::from_utf8(text).expect("text")
 }

@@ -3,6 +3,7 @@
 mod largest;
 mod text;
 
+use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
 use linkdyn_engine::analysis::derived::derived;
@@ -113,6 +114,17 @@ impl<'a> Origin<'a> {
 
     /// The text of `report.html`.
     pub fn html(self, outcome: &Outcome) -> String {
+        let mut text = Vec::new();
+        self.write_page(outcome, &mut text)
+            .expect("memory takes it");
+        String::from_utf8(text).expect("it is made of texts")
+    }
+
+    /// Writes `report.html`, piece by piece.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_page(self, outcome: &Outcome, out: &mut impl Write) -> io::Result<()> {
         let (curves, complete) = (outcome.curves(), outcome.all_curves());
         let summary = self.facts(outcome, &curves);
         let (derived, mut notes) = derived(self.model, &complete);
@@ -130,6 +142,6 @@ impl<'a> Origin<'a> {
             shape: with_profiles(self.model),
             ..Report::new(self.model, &summary, &complete)
         };
-        report.html()
+        report.write(out)
     }
 }

@@ -4,6 +4,8 @@
 //! k-th row as long as [`FEW_ROWS`] remain, then columns are left out from the least important on, and at last rows again. Rows
 //! in which columns have their extremes stay, in up to half of the room for rows.
 
+use std::io::{self, Write};
+
 use crate::numbers::Numbers;
 use linkdyn_output::{Column, Trajectory};
 
@@ -167,15 +169,20 @@ fn thinned(rows: usize, most: usize) -> Vec<usize> {
     kept
 }
 
-/// The values of the columns that the plan keeps, one column after the other.
-pub fn values<'a>(sources: impl Iterator<Item = &'a Source<'a>>, plan: &Plan) -> String {
+/// Writes the values of the columns that the plan keeps, one column after the other.
+pub fn write_values<'a>(
+    sources: impl Iterator<Item = &'a Source<'a>>,
+    plan: &Plan,
+    out: &mut impl Write,
+) -> io::Result<()> {
     let mut numbers = Numbers::new(plan.binary64);
     for source in sources {
         let width = source.table.width();
         let value = |row: &usize| source.table.data[row * width + source.index];
         numbers.extend(plan.rows.iter().map(value));
+        numbers.hand_on(out)?;
     }
-    numbers.text()
+    out.write_all(numbers.text().as_bytes())
 }
 
 #[cfg(test)]
@@ -237,8 +244,10 @@ mod tests {
                 .iter()
                 .filter(|source| source.worth <= plan.worth)
                 .collect();
+            let mut text = Vec::new();
+            write_values(kept.iter().copied(), &plan, &mut text).expect("memory takes it");
             assert!(
-                values(kept.iter().copied(), &plan).len() + 5 * kept.len() <= room.max(30),
+                text.len() + 5 * kept.len() <= room.max(30),
                 "{room}: {plan:?}"
             );
             assert!(plan.rows.is_empty() || plan.rows[0] == 0);

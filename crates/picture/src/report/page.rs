@@ -1,9 +1,11 @@
 //! What a page is made of, and the page.
 
+use std::io::{self, Write};
+
 use serde_json::{Value, json};
 
 use super::columns::{cuts, heading, sources};
-use super::encode::{Plan, Source, plan, values};
+use super::encode::{Plan, Source, plan, write_values};
 use super::facts::{cut, facts};
 use crate::html::{self, Live, escaped};
 use crate::mechanism::Drawing;
@@ -83,8 +85,11 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// The page as the text of a file, which needs nothing else.
-    pub fn html(&self) -> String {
+    /// Writes the page, piece by piece: the text of a file which needs nothing else.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let mut notes = self.notes.clone();
         let facts = escaped(&facts(self.summary, &mut notes).to_string());
         let rows = self.shape.poses_in(self.table, MOST_ROWS);
@@ -99,8 +104,9 @@ impl<'a> Report<'a> {
             [self.about, self.source].map(|text| escaped(&json!(text.map(cut)).to_string()));
         let sources = sources(self.summary.trajectory, self.table, self.derived);
         let cuts = escaped(&cuts(&sources).to_string());
+        let page = page();
         let used = [&facts, &shape, &drawing, &about, &source, &cuts].map(|text| text.len());
-        let used = page("", "").len() + used.iter().sum::<usize>() + notes.concat().len();
+        let used = page.concat().len() + used.iter().sum::<usize>() + notes.concat().len();
         let rows = self.table.len();
         let room = LIMIT.saturating_sub(used + MARGIN);
         let plan = plan(&sources, rows, room, |source| heading(source).len() + 1);
@@ -126,21 +132,26 @@ impl<'a> Report<'a> {
         ];
         let data = parts.map(|(name, json)| format!("{}:{json}", Value::from(name)));
         let data = format!("{{{}}}", data.join(","));
-        page(&data, &values(kept.iter().copied(), &plan))
+        let [before, between, after] = page;
+        for text in [before, data, between] {
+            out.write_all(text.as_bytes())?;
+        }
+        write_values(kept.iter().copied(), &plan, out)?;
+        out.write_all(after.as_bytes())
     }
 }
 
-/// The page with its data, JSON that is escaped, and its values in base64. The script writes the title, since names are data.
-fn page(data: &str, values: &str) -> String {
+/// The page around its data, which are JSON that is escaped, and its values. The script writes the title, since names are data.
+fn page() -> [String; 3] {
     Live {
         title: "linkdyn report",
         style: "",
         body: BODY,
         scripts: SCRIPTS,
-        data,
-        values,
+        data: "",
+        values: "",
     }
-    .html()
+    .around()
 }
 
 /// What to say about rows, columns and digits that are not in the page.
