@@ -3,7 +3,9 @@
 
 use crate::text::words::unit_words;
 use crate::text::{number, shorten};
-use linkdyn_output::{Channel, ColumnId, DriverQuantity, JointQuantity, Report, Trajectory};
+use linkdyn_output::{
+    Channel, Column, ColumnId, DriverQuantity, JointQuantity, Report, Trajectory,
+};
 
 /// Digits of numbers.
 const DIGITS: usize = 4;
@@ -15,16 +17,16 @@ const NAMES: usize = 8;
 /// A row per driver: smallest and largest effort, and when.
 pub fn efforts(trajectory: &Trajectory, report: &Report) -> Vec<String> {
     let unbounded = report.first_unbounded();
-    let extremes = trajectory.extremes();
     let rows = trajectory
         .columns
         .iter()
-        .zip(extremes)
-        .filter_map(|(column, extremes)| {
+        .enumerate()
+        .filter_map(|(index, column)| {
             let Some(Channel::Driver(_, DriverQuantity::Effort)) = column.channel else {
                 return None;
             };
-            let (driver, e) = (&column.owner, extremes?);
+            let driver = &column.owner;
+            let e = trajectory.extremes_of(ColumnId::at(index))?;
             if let Some(time) = unbounded.get(column.name.as_str()) {
                 return Some(format!("{driver}: no bound at {} s", number(*time, DIGITS)));
             }
@@ -55,12 +57,16 @@ pub fn forces(trajectory: &Trajectory, report: &Report) -> Vec<String> {
         let Some(Channel::Joint(joint, JointQuantity::Fx)) = column.channel else {
             continue;
         };
-        let across = trajectory.find(Channel::Joint(joint, JointQuantity::Fy));
-        let Some(fy) = across.map(ColumnId::index) else {
+        // Where there are both, they stand side by side.
+        let fy = fx + 1;
+        let across = trajectory.columns.get(fy);
+        let is_other =
+            |other: &&Column| other.channel == Some(Channel::Joint(joint, JointQuantity::Fy));
+        let Some(across) = across.filter(is_other) else {
             continue;
         };
         let joint = column.owner.as_str();
-        let parts = [column, &trajectory.columns[fy]].map(|part| unbounded.get(part.name.as_str()));
+        let parts = [column, across].map(|part| unbounded.get(part.name.as_str()));
         if let Some(time) = parts.into_iter().flatten().copied().min_by(f64::total_cmp) {
             lacking.push((time, joint));
             continue;
@@ -102,7 +108,6 @@ pub fn forces(trajectory: &Trajectory, report: &Report) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use linkdyn_output::Column;
 
     fn results() -> Trajectory {
         let force =
