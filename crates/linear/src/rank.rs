@@ -32,6 +32,10 @@ pub const DEPENDENCE_TOLERANCE: f64 = 1e-9;
 /// leave little more.
 const DOUBTFUL: f64 = 1e-5;
 
+/// Coordinates from which on open ends are looked for: rows of a chain fill with the square of its length. Of fewer there is
+/// nothing to gain.
+const LARGE: usize = 1000;
+
 /// What must be left of a row for it to be taken before others, where a first pass in order of precedence leaves doubt [-].
 ///
 /// Of a loop near a flat position little is left of its last row, though rows behind may hold what it holds, and better.
@@ -126,7 +130,16 @@ fn keep_by_levels<'a>(rows: &'a SparseRows, levels: &[f64]) -> (Elimination<'a>,
     };
     // In the order of the elimination.
     let mut kept = Vec::new();
-    let mut left: Vec<usize> = (0..rows.rows()).collect();
+    let mut is_kept = vec![false; rows.rows()];
+    if rows.columns() >= LARGE {
+        for (row, coordinate) in elimination.open_ends() {
+            report.smallest_kept = report.smallest_kept.min(elimination.eliminate(row));
+            elimination.keep_at(coordinate);
+            kept.push(row);
+            is_kept[row] = true;
+        }
+    }
+    let mut left: Vec<usize> = (0..rows.rows()).filter(|row| !is_kept[*row]).collect();
     for (k, &level) in levels.iter().enumerate() {
         let last = k + 1 == levels.len();
         left.retain(|&row| {

@@ -1,5 +1,7 @@
 //! The elimination of one row after the other by those kept before, left-looking.
 
+use std::collections::VecDeque;
+
 use super::rows::SparseRows;
 use crate::triangle::{Entry, NONE, Search, Triangle};
 
@@ -49,6 +51,43 @@ impl<'a> Elimination<'a> {
             search: Search::new(n),
             searches: 0,
         }
+    }
+
+    /// Rows with a coordinate of their own that no other row uses once the rows before them are gone, as from the open end of
+    /// a chain on: no row depends on them, and kept first they fill nothing.
+    pub(super) fn open_ends(&self) -> Vec<(usize, u32)> {
+        let row_of = |row: usize| self.rows.transposed.column(row);
+        let mut use_count = self.use_count.clone();
+        // The exclusive or of the rows that use a coordinate: where one is left, it is that.
+        let mut users = vec![0; use_count.len()];
+        for row in 0..self.rows.rows() {
+            for &coordinate in row_of(row) {
+                users[coordinate as usize] ^= row;
+            }
+        }
+        let all = 0..use_count.len() as u32;
+        let mut open: VecDeque<u32> = all.filter(|c| use_count[*c as usize] == 1).collect();
+        let mut ends = Vec::new();
+        while let Some(own) = open.pop_front() {
+            let row = users[own as usize];
+            let values = &self.rows.values[self.rows.transposed.span(row)];
+            let mut entries = row_of(row).iter().zip(values);
+            let is_large = |(coordinate, value): (&u32, &f64)| {
+                *coordinate == own && value.abs() >= PIVOT_THRESHOLD * self.row_scale(row)
+            };
+            if use_count[own as usize] != 1 || !entries.any(is_large) {
+                continue;
+            }
+            ends.push((row, own));
+            for coordinate in row_of(row).iter().map(|own| *own as usize) {
+                use_count[coordinate] -= 1;
+                users[coordinate] ^= row;
+                if use_count[coordinate] == 1 {
+                    open.push_back(coordinate as u32);
+                }
+            }
+        }
+        ends
     }
 
     fn row_scale(&self, row: usize) -> f64 {
@@ -102,7 +141,13 @@ impl<'a> Elimination<'a> {
         let chosen = free()
             .filter(|&&c| self.work[c as usize].abs() >= PIVOT_THRESHOLD * largest)
             .min_by_key(|&&c| (self.use_count[c as usize], c));
-        let Some(&chosen) = chosen else { return };
+        if let Some(&chosen) = chosen {
+            self.keep_at(chosen);
+        }
+    }
+
+    /// The same, with its pivot at a coordinate.
+    pub(super) fn keep_at(&mut self, chosen: u32) {
         let pivot = std::mem::take(&mut self.work[chosen as usize]);
         self.position[chosen as usize] = self.pivot.len() as u32;
         self.pivot.push(pivot);

@@ -221,6 +221,39 @@ fn long_chain_and_grid_stay_sparse() {
 }
 
 #[test]
+fn an_open_chain_fills_nothing() {
+    let bodies = LARGE / 3 + 1;
+    let end = |body: Option<usize>, side: f64| {
+        let angle = 0.1 * body.unwrap_or(0) as f64;
+        (body, [side * angle.cos(), side * angle.sin()])
+    };
+    let pin = |k: usize| (end(k.checked_sub(1), 0.4), end(Some(k), -0.4));
+    let mut pins: Vec<_> = (0..bodies).map(pin).collect();
+    let of = |pins: &[_]| {
+        let matrix = linkage::jacobian(bodies, pins, &[]);
+        SparseRows::from_triplets(matrix.rows, matrix.columns, &matrix.entries).unwrap()
+    };
+    let rows = of(&pins);
+    let (elimination, report) = decide(&rows, DEPENDENCE_TOLERANCE);
+    let fill = elimination.lower.entries.len() + elimination.upper.entries.len();
+    assert!(fill < rows.values.len(), "{fill}");
+    assert!(report.dependent.is_empty() && report.free_columns.len() == bodies);
+
+    // What says something again is still found, and the earlier one stays.
+    pins.push(pins[3]);
+    let report = decide(&of(&pins), DEPENDENCE_TOLERANCE).1;
+    let named = report.dependent.iter().map(|dependent| {
+        let combination = dependent.combination.iter();
+        (
+            dependent.row,
+            combination.map(|one| one.0).collect::<Vec<_>>(),
+        )
+    });
+    let named: Vec<_> = named.collect();
+    assert_eq!(named, [(2 * bodies, vec![6]), (2 * bodies + 1, vec![7])]);
+}
+
+#[test]
 fn what_is_left_of_a_weak_row_makes_no_dependent_row_independent() {
     // Row 1 is row 0 and a ten-thousandth of row 2 less row 3, but for rounding in the last column.
     let dense = [
