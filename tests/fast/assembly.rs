@@ -341,3 +341,30 @@ fn drivers_that_prescribe_one_motion_are_named_whatever_they_say() {
         "{said}"
     );
 }
+
+#[test]
+fn a_long_chain_is_as_closed_as_its_coordinates_can_be() {
+    const LINKS: usize = 1000;
+    let length = 1.0 / LINKS as f64;
+    let (mut bodies, mut joints) = (
+        json!({ "ground": { "points": { "O": [0, 0] } } }),
+        json!({}),
+    );
+    for k in 0..LINKS {
+        let at = [k as f64 * length, 0.0];
+        bodies[format!("l{k}")] =
+            json!({ "points": { "A": [0, 0], "B": [length, 0] }, "pose": { "position": at } });
+        let before = k
+            .checked_sub(1)
+            .map_or("ground.O".into(), |k| format!("l{k}.B"));
+        joints[format!("j{k}")] =
+            json!({ "type": "revolute", "between": [before, format!("l{k}.A")] });
+    }
+    let outcome = outcome(
+        &json!({ "format": "linkdyn/1", "units": "SI", "bodies": bodies, "joints": joints,
+        "analysis": { "type": "assembly" } }),
+    );
+    assert_eq!(outcome.report.status, Status::Completed);
+    // What is left is round-off of a thousand lengths, which no step takes away.
+    assert_eq!(outcome.report.statistics.newton_iterations, 0);
+}

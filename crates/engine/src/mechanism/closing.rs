@@ -36,6 +36,8 @@ pub struct Closed {
 
 /// Scaled residual at which a position counts as assembled; the driven solver then polishes to round-off.
 const CLOSED: f64 = 1e-13;
+/// Round-off of a coordinate, by itself: of a chain whose links are short beside it, that is more than [`CLOSED`].
+const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 /// Smallest damping: it must stay well above round-off, for with redundant rows it is what keeps the matrix regular, and
 /// slows convergence no more than 1e-10 a step.
 const LEAST_DAMPING: f64 = 1e-10;
@@ -152,8 +154,10 @@ impl<'a> Search<'a> {
     fn run(&mut self) -> u64 {
         let (mut nu, mut stalled) = (1.0_f64, 0);
         let mut iterations = 0;
+        let round_off = ROUND_OFF * self.system.scaled_norm(&self.q);
+        let closed = round_off.clamp(CLOSED, 10.0 * CLOSED);
         while iterations < MAX_ITERATIONS
-            && max_abs(&self.phi) > CLOSED
+            && max_abs(&self.phi) > closed
             && nu < MOST_NU
             && stalled < MOST_STALLED
         {
