@@ -13,7 +13,7 @@ use super::progress::Line;
 use super::streams::{complain, print, print_with, remark};
 use super::watch::watch;
 use super::{interrupt, replaced};
-use linkdyn_ask::run::{Run, text};
+use linkdyn_ask::run::{Run, of_columns, text};
 use linkdyn_ask::text::{Page, seconds};
 use linkdyn_ask::{ModelFile, Question, with_responses};
 use linkdyn_engine::analysis::Outcome;
@@ -105,7 +105,10 @@ fn once(options: &Options) -> Result<Exit, Failure> {
     };
     let control = interrupt::control();
     let line = Line::watch(file.name(), &control);
-    let outcome = Run.answer(&file, &control);
+    let outcome = match &target {
+        Target::Directory(_) if !options.no_report => Run.answer(&file, &control),
+        Target::Directory(_) | Target::Nowhere | Target::Stream => of_columns(&file, &control),
+    };
     drop(line);
     let outcome = outcome.map_err(|why| model.refuse(why))?;
     let written = match &target {

@@ -381,3 +381,34 @@ fn faults_are_told() {
         r#"(journals that move in their bearings count: give the clearances the model "ideal")"#;
     assert!(said.to_string().ends_with(hint), "{said}");
 }
+
+#[test]
+fn rows_have_the_columns_alone_that_are_asked_for_where_nothing_else_is_read() {
+    let run = |name: &str, sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
+        let text = bundled::find(name).expect("bundled").text;
+        let model = load(text.as_bytes(), &sets).expect("sound").model;
+        let prepared = || Prepared::new(&model).expect("sound");
+        [prepared(), prepared().for_columns()]
+            .map(|prepared| prepared.run(&Control::default()).expect("it runs"))
+    };
+    let columns = r#"analysis.columns=["*.vx", "joint.*.fy", "crnk.x"]"#;
+    for name in ["four-bar", "double-pendulum", "watt-i-lock"] {
+        let [whole, asked] = run(name, &[columns]);
+        assert_eq!(asked.trajectory.columns, whole.trajectory.columns, "{name}");
+        let bits = |outcome: &Outcome| {
+            let data = outcome.trajectory.data.iter();
+            data.map(|value| value.to_bits()).collect::<Vec<_>>()
+        };
+        assert_eq!(bits(&asked), bits(&whole), "{name}");
+        assert_eq!(asked.report.warnings, whole.report.warnings, "{name}");
+        assert!(
+            asked.complete.is_none() && whole.complete.is_some(),
+            "{name}"
+        );
+    }
+    // A response reads other columns.
+    let response = r#"responses={ "most": "max(rocker.angle)" }"#;
+    let [whole, asked] = run("four-bar", &[columns, response]);
+    assert_eq!(asked.all().width(), whole.all().width());
+}

@@ -41,7 +41,7 @@ const PARTS: &[Part] = &[
         "rs",
         3_910,
     ),
-    part("ask", &["crates/ask/src"], "rs", 7_640),
+    part("ask", &["crates/ask/src"], "rs", 7_650),
     part("output", &["crates/output/src"], "rs", 2_060),
     part("picture", &["crates/picture/src"], "rs", 9_155),
     part("pages", &["crates/picture/src"], "js", 3_910),

@@ -12,7 +12,7 @@ use linkdyn_engine::analysis::{Control, Outcome, Prepared};
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Model};
 use linkdyn_output::{Stage, Summary, Trajectory};
-use linkdyn_picture::Report;
+use linkdyn_picture::{Report, Shape};
 
 use crate::shape::{with_loads, with_profiles};
 use crate::{ModelFile, Question, Unanswered};
@@ -35,6 +35,27 @@ impl Question for Run {
 pub(crate) fn unplaced(file: &ModelFile, control: &Control) -> Result<Outcome, Complaints> {
     let control = limited(file.model(), control);
     let outcome = Prepared::new(file.model())?.run(&control)?;
+    Ok(warned(outcome, &file.loaded.warnings))
+}
+
+/// A run whose page nobody wants: its rows have the columns alone that `analysis.columns` asks for, where nothing else is read from
+/// them.
+///
+/// # Errors
+/// Those of the question [`Run`].
+pub fn of_columns(file: &ModelFile, control: &Control) -> Result<Outcome, Unanswered> {
+    let run = || {
+        let prepared = Prepared::new(file.model())?;
+        // The summary draws what loads are over time, from all poses.
+        let is_drawn = !Shape::of_model(file.model()).loads.is_empty();
+        let prepared = if is_drawn {
+            prepared
+        } else {
+            prepared.for_columns()
+        };
+        prepared.run(&limited(file.model(), control))
+    };
+    let outcome = run().map_err(|complaints| file.refused(complaints))?;
     Ok(warned(outcome, &file.loaded.warnings))
 }
 

@@ -11,6 +11,7 @@ use crate::mechanism::reduced::Solver;
 use crate::system::System;
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{Accelerations, Analysis, AnalysisKind, OutputsAt, Sample};
+use linkdyn_output::{Column, Selection};
 
 /// The settings of a run, in numbers.
 #[derive(Debug, Clone)]
@@ -20,6 +21,8 @@ pub(super) struct Question {
     pub contents: Contents,
     /// Patterns of the columns that are wanted; none means all.
     pub columns: Vec<String>,
+    /// Those that rows have; all where not given.
+    pub kept: Option<Vec<Column>>,
     /// The transmission that is wanted, none within where its driver or body is not there.
     pub transmission: Option<Option<Transmission>>,
     /// Columns behind those that an analysis has.
@@ -63,6 +66,7 @@ impl Question {
             contents,
             following: DerivedSelection::in_results(system, contents, &analysis.columns),
             columns: analysis.columns.clone(),
+            kept: None,
             transmission: analysis
                 .transmission
                 .as_ref()
@@ -84,12 +88,27 @@ impl Question {
         })
     }
 
+    /// Keeps the columns of rows that patterns ask for, where nothing else is read from rows afterwards.
+    pub fn keep_asked(&mut self, system: &System) {
+        let mut joints = system.joints.iter();
+        let is_read = self.at_events
+            || !self.following.is_empty()
+            || !system.contacts.is_empty()
+            || joints.any(|joint| joint.extras().belt.is_some());
+        if !is_read && !self.columns.is_empty() {
+            let columns = self.contents.columns(system);
+            let kept = Selection::new(&columns, &self.columns).columns.into_iter();
+            self.kept = Some(kept.map(|kept| columns[kept.index()].clone()).collect());
+        }
+    }
+
     /// For a motion that the drivers prescribe.
     pub fn driven(&self) -> driven::Settings {
         driven::Settings {
             instants: self.instants,
             at_events: self.at_events,
             contents: self.contents,
+            kept: self.kept.clone(),
         }
     }
 
@@ -118,6 +137,7 @@ impl Question {
             events_are_outputs: self.at_events,
             contents: self.contents,
             watched: (!system.contacts.is_empty()).then(|| self.columns.clone()),
+            kept: self.kept.clone(),
         })
     }
 }

@@ -4,7 +4,7 @@ use super::cams::Watch;
 use super::channels::{Channels, Contents};
 use super::sample::Sample;
 use crate::system::{Evaluation, Inputs, System};
-use linkdyn_output::Trajectory;
+use linkdyn_output::{Column, Trajectory};
 
 /// The channels of a run, and the table that they fill.
 #[derive(Clone)]
@@ -20,7 +20,18 @@ pub struct Recorder {
 impl Recorder {
     /// Of all channels, with room for `rows` rows.
     pub fn new(system: &System, contents: Contents, rows: usize) -> Self {
-        let channels = Channels::new(system, contents);
+        Recorder::keeping(system, contents, None, rows)
+    }
+
+    /// The same of these channels alone, where some are given.
+    pub fn keeping(
+        system: &System,
+        contents: Contents,
+        kept: Option<&[Column]>,
+        rows: usize,
+    ) -> Self {
+        let all = || contents.columns(system);
+        let channels = Channels::of(kept.map_or_else(all, <[Column]>::to_vec));
         let mut trajectory = Trajectory::with_columns(channels.columns());
         trajectory.reserve(rows);
         Recorder {

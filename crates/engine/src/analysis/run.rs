@@ -86,6 +86,16 @@ impl Prepared {
         }
     }
 
+    /// Runs for the columns alone that `analysis.columns` asks for: where nothing else is read from them, rows have no others, so that
+    /// [`Outcome::all`] has no others either.
+    #[must_use]
+    pub fn for_columns(mut self) -> Self {
+        if self.responses.is_empty() {
+            self.question.keep_asked(&self.system);
+        }
+        self
+    }
+
     /// The columns of the results.
     pub fn columns(&self) -> Arc<[Column]> {
         let mut columns = self.question.contents.columns(&self.system);
@@ -153,8 +163,11 @@ impl Prepared {
         let (selected, warnings) = match patterns.is_empty() {
             true => (None, Vec::new()),
             false => {
-                let offered = DerivedSelection::all(&self.system, self.question.contents);
-                trajectory.select_beside(patterns, &offered.headings())
+                let contents = self.question.contents;
+                let offered = DerivedSelection::all(&self.system, contents).headings();
+                let left_out = self.question.kept.as_ref();
+                let left_out = left_out.map_or_else(Vec::new, |_| contents.columns(&self.system));
+                trajectory.select_beside(patterns, &[left_out, offered].concat())
             }
         };
         report.warnings.extend(warnings);

@@ -21,13 +21,13 @@ use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Inputs, JointData, System};
 pub(super) use between::Between;
 use linkdyn_model::error::Complaint;
-use linkdyn_output::{Report, Status, Stopwatch, Trajectory};
+use linkdyn_output::{Column, Report, Status, Stopwatch, Trajectory};
 use outputs::Outputs;
 pub use passages::{passages, range};
 pub use paths::path;
 
 /// The settings of a prescribed motion.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Settings {
     /// When there are outputs.
     pub instants: Instants,
@@ -35,6 +35,8 @@ pub(super) struct Settings {
     pub at_events: bool,
     /// What is computed.
     pub contents: Contents,
+    /// Columns that rows have; all where not given.
+    pub kept: Option<Vec<Column>>,
 }
 
 /// Follows the drivers: the rows, how it went, and the motion where it can be asked for more rows.
@@ -51,6 +53,7 @@ pub(super) fn run<'s>(
         instants,
         at_events,
         contents,
+        kept,
     } = settings;
     refuse(system, contents.reactions, at_events)?;
     let instants = instants.list(system)?;
@@ -85,7 +88,8 @@ pub(super) fn run<'s>(
     let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
     report.statistics.steps = path.steps;
     report.statistics.rejected = path.rejected;
-    let mut outputs = Outputs::new(system, contents, instants.len(), &mut report);
+    let of_rows = (kept.as_deref(), instants.len());
+    let mut outputs = Outputs::new(system, contents, of_rows, &mut report);
     outputs.march(&mut driven, &path, &instants, at_events, control);
     let trajectory = outputs.finish();
     let done = driven.done;

@@ -21,7 +21,7 @@ use crate::mechanism::continuation::{End, Parameter, Path, Source};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{DriverId, Inputs, System};
 use linkdyn_linear::math::WIDTH;
-use linkdyn_output::{Event, EventKind, Report, Status};
+use linkdyn_output::{Column, Event, EventKind, Report, Status};
 
 /// A joint belongs to a self-stress when its part is above this, relative to the largest.
 const STRESSED: f64 = 1e-6;
@@ -55,16 +55,17 @@ pub(super) fn rest(driven: &mut Driven, sample: &mut Sample) {
 }
 
 impl<'a, 'r> Outputs<'a, 'r> {
+    /// With room for so many rows, of these columns alone where some are given.
     pub fn new(
         system: &'a System,
         contents: Contents,
-        rows: usize,
+        (kept, rows): (Option<&[Column]>, usize),
         report: &'r mut Report,
     ) -> Self {
         Outputs {
             system,
             links: ClearanceLinks::of(system),
-            recorder: Recorder::new(system, contents, rows),
+            recorder: Recorder::keeping(system, contents, kept, rows),
             inputs: Inputs::still(system),
             sample: Sample::new(system),
             bridge: Bridge::new(system),

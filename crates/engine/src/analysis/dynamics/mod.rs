@@ -74,8 +74,7 @@ pub fn run(
     };
     let end = settings.instants.last().copied().unwrap_or(0.0);
     let mut simulation = scene.begin(settings, end)?;
-    let rows = settings.instants.len();
-    let mut outputs = Outputs::new(system, settings.contents, rows, &mut report);
+    let mut outputs = Outputs::new(system, settings, &mut report);
     for &instant in &settings.instants {
         let reached = simulation.reach(instant, control).and_then(|()| {
             let sampled = simulation.output(instant);

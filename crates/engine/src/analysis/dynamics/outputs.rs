@@ -2,8 +2,9 @@
 
 use super::flow::Flow;
 use super::sampling::Sampling;
-use crate::analysis::channels::Contents;
+use super::settings::Settings;
 use crate::analysis::power::Powers;
+use crate::analysis::record::Recorder;
 use crate::analysis::sample::Sample;
 use crate::system::System;
 use linkdyn_output::{Report, Trajectory};
@@ -27,15 +28,12 @@ struct EnergyBalance {
 }
 
 impl<'a, 'r> Outputs<'a, 'r> {
-    pub fn new(
-        system: &'a System,
-        contents: Contents,
-        rows: usize,
-        report: &'r mut Report,
-    ) -> Self {
+    pub fn new(system: &'a System, settings: &Settings, report: &'r mut Report) -> Self {
+        let (rows, kept) = (settings.instants.len(), settings.kept.as_deref());
+        let recorder = Recorder::keeping(system, settings.contents, kept, rows);
         Outputs {
             system,
-            sampling: Sampling::new(system, contents, rows),
+            sampling: Sampling::with(system, recorder),
             report,
             powers: Powers::default(),
             energy: None,

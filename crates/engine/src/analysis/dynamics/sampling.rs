@@ -16,8 +16,13 @@ pub struct Sampling {
 
 impl Sampling {
     pub fn new(system: &System, contents: Contents, rows: usize) -> Self {
+        Sampling::with(system, Recorder::new(system, contents, rows))
+    }
+
+    /// Whose rows go to a table.
+    pub fn with(system: &System, recorder: Recorder) -> Self {
         Sampling {
-            recorder: Recorder::new(system, contents, rows),
+            recorder,
             sample: Sample::new(system),
         }
     }

@@ -3,6 +3,7 @@
 use crate::analysis::channels::Contents;
 use crate::integrate::Method;
 use crate::mechanism::reduced::Solver;
+use linkdyn_output::Column;
 
 /// How exact a motion shall be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,4 +35,6 @@ pub struct Settings {
     pub contents: Contents,
     /// Patterns of the columns whose extremes are looked for between the outputs; an empty list means all columns.
     pub watched: Option<Vec<String>>,
+    /// Columns that rows have; all where not given.
+    pub kept: Option<Vec<Column>>,
 }
