@@ -32,7 +32,7 @@ const fn part(
 
 const PARTS: &[Part] = &[
     part("model", &["crates/model/src"], "rs", 16_610),
-    part("engine", &["crates/engine/src"], "rs", 42_145),
+    part("engine", &["crates/engine/src"], "rs", 42_200),
     part("variation", &["crates/variation/src"], "rs", 5_020),
     part("linear", &["crates/linear/src"], "rs", 3_500),
     part(
@@ -43,14 +43,14 @@ const PARTS: &[Part] = &[
     ),
     part("ask", &["crates/ask/src"], "rs", 7_650),
     part("output", &["crates/output/src"], "rs", 2_060),
-    part("picture", &["crates/picture/src"], "rs", 9_155),
+    part("picture", &["crates/picture/src"], "rs", 9_180),
     part("pages", &["crates/picture/src"], "js", 3_910),
     part("library", &["src"], "rs", 5_050),
     part("of it the command", &["src/cli"], "rs", 3_610),
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_300),
     part("python package", &["python/linkdyn"], "py", 1_500),
-    part("tests", &["tests"], "rs", 44_050),
+    part("tests", &["tests"], "rs", 44_120),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.
