@@ -175,3 +175,21 @@ fn measures_that_are_none_are_refused() {
         assert!(text.contains(said), "{said}: {text}");
     }
 }
+
+#[test]
+fn names_of_measures_are_those_of_their_columns() {
+    for (name, said) in [
+        (
+            "angle",
+            "measure.angle would be a column of a body called \"measure\"",
+        ),
+        ("a.b", "measures"),
+        ("", "measures"),
+    ] {
+        let mut model = jaws();
+        model["measures"] = json!({ name: { "distance": ["crank.B", "slider.T"] } });
+        let found = load(model.to_string().as_bytes(), &[]).map(|_| ());
+        let text = format!("{:?}", found.expect_err(said)).replace("\\\"", "\"");
+        assert!(text.contains(said), "{name}: {text}");
+    }
+}

@@ -1,12 +1,22 @@
 //! Measures: how many points they have, and of which bodies.
 
 use super::Rules;
+use crate::response::Catalogue;
 use crate::{Measurement, PointRef};
 
 /// All rules of measures but those on names.
 pub(super) fn measures(rules: &mut Rules<'_>) {
     let model = rules.model;
     for (name, measure) in &model.measures {
+        if Catalogue::is_of_bodies(name) {
+            let message = format!("measure.{name} would be a column of a body called \"measure\"");
+            rules.complain(
+                format!("measures.{name}"),
+                message,
+                "give the measure another name",
+            );
+            continue;
+        }
         let path = format!("measures.{name}.{}", measure.key());
         if rules.holes.has(&path) {
             continue;

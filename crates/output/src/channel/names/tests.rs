@@ -16,6 +16,7 @@ fn all() -> Vec<Channel> {
     all.push(Channel::Output(0));
     let states = [StateQuantity::Value, StateQuantity::Rate];
     all.extend(states.map(|quantity| Channel::State(0, quantity)));
+    all.extend(states.map(|quantity| Channel::Measure(0, quantity)));
     all
 }
 
@@ -36,13 +37,18 @@ fn every_name_reads_back_as_its_channel() {
                 Channel::Point(..) => format!("{owner}.{owner}"),
                 Channel::Time | Channel::Energy(_) | Channel::Shaking(_) => String::new(),
                 Channel::Transmission(quantity) if quantity.name() != "angle" => String::new(),
-                // no output, and no state, is called like a quantity of a body
-                Channel::Output(_) | Channel::State(..) if owner == "angle" => continue,
+                // no output, no state and no measure is called like a quantity of a body
+                Channel::Output(_) | Channel::State(..) | Channel::Measure(..)
+                    if owner == "angle" =>
+                {
+                    continue;
+                }
                 Channel::Body(..)
                 | Channel::Joint(..)
                 | Channel::Relative(..)
                 | Channel::Output(_)
                 | Channel::State(..)
+                | Channel::Measure(..)
                 | Channel::Driver(..)
                 | Channel::Load(..)
                 | Channel::Transmission(_) => owner.to_string(),
