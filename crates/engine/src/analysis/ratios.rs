@@ -122,16 +122,16 @@ impl<'s> Ratios<'s> {
         }
         self.rows += 1;
         let system = self.replay.system;
-        let mut tangents: Vec<(Option<DriverId>, Result<Vec<f64>, usize>)> = Vec::new();
+        let mut tangents: Vec<(_, Option<Vec<f64>>)> = Vec::new();
         for by in self.ratios.iter().map(|ratio| ratio.by) {
             if tangents.iter().all(|(known, _)| *known != by) {
-                tangents.push((by, tangent(system, self.replay.jacobian(), by)));
+                tangents.push((by, tangent(system, self.replay.jacobian(), by).ok()));
             }
         }
         let at = self.replay.kinematics();
         for ratio in &mut self.ratios {
             let tangent = tangents.iter().find(|(by, _)| *by == ratio.by);
-            let Some((_, Ok(tangent))) = tangent else {
+            let Some((_, Some(tangent))) = tangent else {
                 ratio.free += 1;
                 line.push(f64::NAN);
                 continue;
