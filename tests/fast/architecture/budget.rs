@@ -31,9 +31,9 @@ const fn part(
 }
 
 const PARTS: &[Part] = &[
-    part("model", &["crates/model/src"], "rs", 16_610),
+    part("model", &["crates/model/src"], "rs", 16_620),
     part("engine", &["crates/engine/src"], "rs", 42_200),
-    part("variation", &["crates/variation/src"], "rs", 5_020),
+    part("variation", &["crates/variation/src"], "rs", 5_032),
     part("linear", &["crates/linear/src"], "rs", 3_500),
     part(
         "study and optimise",
@@ -50,7 +50,7 @@ const PARTS: &[Part] = &[
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_300),
     part("python package", &["python/linkdyn"], "py", 1_500),
-    part("tests", &["tests"], "rs", 44_120),
+    part("tests", &["tests"], "rs", 44_200),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

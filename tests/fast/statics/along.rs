@@ -197,3 +197,42 @@ fn a_snap_is_told() {
     let led = completed(&truss(2000.0));
     assert!(led.report.warnings.is_empty(), "{:?}", led.report.warnings);
 }
+
+/// Accuracy knows equilibria without friction alone: the hand's torque is off as the weight is, and friction is refused.
+#[test]
+fn accuracy_of_holding_forces_leaves_no_friction_out() {
+    let mut model = lid(Some(12.0));
+    model["parameters"] = json!({ "mass": { "value": "12 kg", "tolerance": "0.1 kg" } });
+    model["bodies"]["lid"]["mass"] = "=mass".into();
+    model["accuracy"] =
+        json!({ "outputs": { "hold": { "column": "driver.hand.effort", "at": { "value": 0 } } } });
+    let asked = |name: &str, model: &Value| {
+        let name = format!("linkdyn-{name}-{}.json", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        std::fs::write(&path, model.to_string()).expect("a file");
+        let mut words = Vec::from(["linkdyn", "accuracy", "--json"].map(std::ffi::OsString::from));
+        words.push(path.clone().into());
+        let said = linkdyn::cli::captured(words);
+        std::fs::remove_file(path).expect("the file");
+        said
+    };
+    let said = asked("held", &model);
+    assert_eq!(said.status, 0, "{}", said.stderr);
+    let found: Value = serde_json::from_str(&said.stdout).expect("JSON");
+    let text = found.to_string();
+    // 0.1 kg at 0.4 m
+    assert!(
+        text.contains(&format!("{:.6}", 0.1 * G * 0.4)[..6]),
+        "{text}"
+    );
+    model["joints"]["hinge"]["pin_radius"] = 0.01.into();
+    model["joints"]["hinge"]["friction"] =
+        json!({ "law": "coulomb", "coefficient": 0.1, "threshold_velocity": 0.01 });
+    let said = asked("rubs", &model);
+    assert_eq!(said.status, 2, "{}", said.stdout);
+    assert!(
+        said.stderr.contains("leaves friction out"),
+        "{}",
+        said.stderr
+    );
+}

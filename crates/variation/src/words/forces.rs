@@ -15,7 +15,7 @@ use linkdyn_model::{AnalysisKind, Checked, ClearanceModel, JointKind, Model};
 /// What forces can't be asked of.
 ///
 /// # Errors
-/// Journals that move freely, friction with a history, masses that are missing.
+/// Journals that move freely, friction with a history or of a slow motion, masses that are missing.
 pub(super) fn refuse(
     model: &Model,
     ideal: &Checked,
@@ -36,7 +36,18 @@ pub(super) fn refuse(
             }
         }
     };
-    let faults: Vec<Complaint> = model.joints.iter().filter_map(contact).collect();
+    let is_slow = (ideal.analysis.as_ref())
+        .is_some_and(|analysis| analysis.kind == AnalysisKind::QuasiStatics);
+    let rubs = |(name, joint): (&String, &linkdyn_model::Joint)| {
+        joint.kind.friction().filter(|_| is_slow)?;
+        let path = format!("joints.{name}.friction");
+        let message =
+            "accuracy of forces at rest leaves friction out, and \"quasi_statics\" has it";
+        let hint = "ask in \"inverse_dynamics\", or take the friction out";
+        Some(Complaint::new(path, message).hint(hint))
+    };
+    let mut faults: Vec<Complaint> = model.joints.iter().filter_map(contact).collect();
+    faults.extend(model.joints.iter().filter_map(rubs));
     if !faults.is_empty() {
         return Err(Complaints(faults));
     }
