@@ -40,6 +40,16 @@ pub fn set(mechanism: &Mechanism, sets: Vec<String>) -> Result<Mechanism, Error>
     mechanism.set_all(sets)
 }
 
+/// What a text such as `90 mm` says in SI, and its SI unit.
+///
+/// # Errors
+/// A text that is no quantity.
+pub fn quantity(text: &str) -> Result<(f64, String), Error> {
+    let read = study::quantity(text.trim());
+    let read = read.map_err(|why| Error::Question(vec![why]))?;
+    Ok((read.value, read.unit))
+}
+
 /// The text of `summary.json`; it has no time of writing files, as none were written.
 pub fn summary(run: &Run) -> String {
     run.mechanism()

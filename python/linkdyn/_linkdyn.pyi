@@ -25,6 +25,7 @@ __all__ = [
     "compare",
     "modes",
     "optimise",
+    "quantity",
 ]
 __version__: str
 
@@ -185,5 +186,6 @@ def optimise(
     seed: int | None,
     threads: int,
 ) -> _Stopped[tuple[_Told, str | None, Mechanism | None]]: ...
+def quantity(text: str) -> tuple[float, str]: ...
 def bundled() -> list[str]: ...
 def _panic(is_watched: bool) -> None: ...

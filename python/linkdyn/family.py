@@ -6,14 +6,19 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _linkdyn
 from .errors import Interrupted
 from .progress import Progress, told
 from .run import Array
+from .values import Units, Values, table
+
+if TYPE_CHECKING:
+    from .model import Model
 
 __all__ = ["Family", "Variants"]
 
@@ -61,8 +66,9 @@ class Family:
     [0.08, 0.1, 0.12]
     """
 
-    def __init__(self, core: _linkdyn.Family) -> None:
-        self._core = core
+    def __init__(self, model: Model, parameters: list[str]) -> None:
+        self._model = model
+        self._core = model._core.family(parameters)
 
     @property
     def parameters(self) -> list[str]:
@@ -79,24 +85,25 @@ class Family:
         """Words of the numbers that tell how variants ended."""
         return _linkdyn.Family.WORDS
 
-    def __call__(self, values: ArrayLike, *, threads: int | None = None, progress: Progress = None) -> Variants:
+    def __call__(self, values: Values, *, threads: int | None = None, progress: Progress = None) -> Variants:
         """Works out the responses of many variants, with the interpreter's lock released.
 
-        :param values: (variants, parameters) in SI; of one parameter also (variants).
+        :param values: (variants, parameters) in SI, or texts such as ``"90 mm"``; of one parameter also (variants).
         :param threads: one for each processor where nobody says. What comes out does not depend on it.
         :raises Interrupted: where Ctrl-C stopped it.
         """
-        table = np.ascontiguousarray(values, dtype=np.float64)
-        if table.ndim == 1 and len(self.parameters) == 1:
-            table = table[:, np.newaxis]
-        workers = threads or processors()
+        rows = table(values, self.parameters, self._units)
         with told(progress, "variants") as show:
-            answers, codes, fault, stopped = self._core.run(table, workers, show)
+            answers, codes, fault, stopped = self._core.run(rows, threads or processors(), show)
         if isinstance(stopped, KeyboardInterrupt):
             raise Interrupted("interrupted") from stopped
         if stopped is not None:
             raise stopped
         return Variants(np.asarray(answers), np.asarray(codes), list(self.responses), fault)
+
+    @cached_property
+    def _units(self) -> Units:
+        return self._model.parameters
 
 
 def processors() -> int:

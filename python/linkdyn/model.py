@@ -4,25 +4,30 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
+from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, TypeAlias
 
+import numpy as np
+
 from . import _linkdyn
 from .answer import Answer, read, whole
 from .equations import Equations
-from .errors import Interrupted, SolveError
+from .errors import Interrupted, ModelError, SolveError
 from .family import Family, processors
 from .progress import Progress, told
 from .run import Run
 from .simulation import Simulation
 from .study import Asked, Study
+from .values import DIMENSIONS, Values, as_list, bounds, one_by_one
 
 __all__ = ["Model", "Source", "Value", "load", "models"]
 
 Source: TypeAlias = "str | bytes | PathLike[str] | Mapping[str, Any]"
 """A path, the name of a bundled model, the text of a model file, or what it says as a dictionary."""
-Value: TypeAlias = "str | int | float | bool | Mapping[str, Any] | list[Any] | None"
+Value: TypeAlias = "str | int | float | bool | np.number[Any] | Mapping[str, Any] | list[Any] | None"
 """A value of a model, as its JSON has it; texts such as ``"40 mm"`` or ``"2*r"`` mean what they mean in a file."""
 
 
@@ -134,7 +139,7 @@ class Model:
         return path
 
     def set(self, values: Mapping[str, Value]) -> Model:
-        """A copy with values set, all at once, as by ``--set PATH=VALUE`` of the command.
+        """A copy with values set, all at once. Values are those of a model file: plain numbers are in its units.
 
         :raises ModelError: where a path leads nowhere, or the model has faults with these values.
 
@@ -143,11 +148,37 @@ class Model:
         >>> coarse.run().t.shape
         (5,)
         """
-        sets = [
-            f"{path}={value if isinstance(value, str) else json.dumps(value, default=_plain)}"
-            for path, value in values.items()
-        ]
+        sets = [self._set(path, value) for path, value in values.items()]
+        try:
+            return self._with(sets)
+        except ModelError:
+            plain = [f"{path}={_told(value)}" for path, value in values.items()]
+            if plain != sets:
+                # Expressions that are set with a parameter may want its number as it is.
+                with suppress(ModelError):
+                    return self._with(plain)
+            raise
+
+    def _with(self, sets: list[str]) -> Model:
         return Model(self._core.set(sets), self._label, self._text, self._sets + tuple(sets))
+
+    def _set(self, path: str, value: Value) -> str:
+        """What is set, as ``PATH=VALUE``; the number of a parameter that has a dimension with the file's unit of it."""
+        name = path.removeprefix("parameters.")
+        if name != path and isinstance(value, int | float | np.number) and not isinstance(value, bool):
+            unit = self.parameters.get(name, (0.0, ""))[1]
+            if unit:
+                return f"{path}={float(value)!r} {self._unit(unit) or unit}"
+        return f"{path}={_told(value)}"
+
+    @cached_property
+    def _units(self) -> dict[str, str]:
+        named = self.to_dict().get("units")
+        return named if isinstance(named, dict) else {}
+
+    def _unit(self, unit: str) -> str | None:
+        """The file's unit of the dimension of an SI unit, where it says one."""
+        return self._units.get(DIMENSIONS.get(unit, ""))
 
     def run(self, *, strict: bool = True, timeout: float | None = None, progress: Progress = None) -> Run:
         """Runs the model's analysis, with the interpreter's lock released.
@@ -173,15 +204,15 @@ class Model:
             raise SolveError(f"the run ended early ({run.status}): {run.message}", run)
         return run
 
-    def family(self, parameters: Iterable[str], responses: Mapping[str, str] | None = None) -> Family:
+    def family(self, parameters: str | Iterable[str], responses: Mapping[str, str] | None = None) -> Family:
         """The family of mechanisms in which these parameters take other values: the fast way to many variants.
 
         :param parameters: names, with or without ``parameters.`` before them.
         :param responses: more numbers that come out of each variant, by name; after those of the model.
         """
         model = self.set({f"responses.{name}": text for name, text in responses.items()}) if responses else self
-        names = [name.removeprefix("parameters.") for name in parameters]
-        return Family(model._core.family(names))
+        names = [name.removeprefix("parameters.") for name in as_list(parameters)]
+        return Family(model, names)
 
     def compile(self) -> Equations:
         """The equations of the model, for solvers of one's own."""
@@ -220,7 +251,7 @@ class Model:
         return read(whole(_linkdyn.accuracy(self._core, list(outputs), levels, threads or processors())))
 
     def compare(
-        self, joints: str | Iterable[str] = "all", models: Iterable[str] = (), columns: Iterable[str] = ()
+        self, joints: str | Iterable[str] = "all", models: str | Iterable[str] = (), columns: str | Iterable[str] = ()
     ) -> Answer:
         """Runs the model with each model of a joint's clearance and compares, as in ``compare.json``.
 
@@ -228,17 +259,16 @@ class Model:
         :param models: clearance models, the first is what the others are compared with.
         :param columns: patterns of columns to compare.
         """
-        names = [joints] if isinstance(joints, str) else list(joints)
-        return read(whole(_linkdyn.compare(self._core, names, list(models), list(columns))))
+        return read(whole(_linkdyn.compare(self._core, as_list(joints), as_list(models), as_list(columns))))
 
     def optimise(
         self,
-        vary: Mapping[str, str | None] | None = None,
+        vary: Mapping[str, Values | None] | None = None,
         *,
-        goals: Iterable[str] = (),
+        goals: str | Iterable[str] = (),
         minimise: str | None = None,
         maximise: str | None = None,
-        constraints: Iterable[str] = (),
+        constraints: str | Iterable[str] = (),
         robust: float | None = None,
         starts: int | None = None,
         seed: int | None = None,
@@ -247,7 +277,9 @@ class Model:
         """Finds values of parameters: goals, least or greatest objectives, paths. What was found as in ``optimise.json``,
         and the model with it.
 
-        :param vary: range of each parameter, as in ``{"parameters.r": "10 mm:60 mm"}``; without any, what the model says.
+        :param vary: range of each parameter, as in ``{"parameters.r": "10 mm:60 mm"}`` or ``("10 mm", "60 mm")``; numbers
+            of a pair are in SI, those of a text without unit are in the file's units. ``None``: around the value.
+            Without any parameter, what the model says.
 
         >>> import linkdyn
         >>> press = linkdyn.load("slider-crank")
@@ -255,16 +287,18 @@ class Model:
         >>> round(longer.parameters["crank"][0], 9)
         0.04
         """
-        asked = [_path(path) + (f"={values}" if values else "") for path, values in (vary or {}).items()]
+        units = self.parameters
+        ranges = {name: bounds(values, name, units) for name, values in (vary or {}).items()}
+        asked = [_path(name) + (f"={values}" if values else "") for name, values in ranges.items()]
         least, greatest = ([text] if text is not None else [] for text in (minimise, maximise))
         told, failure, best = whole(
             _linkdyn.optimise(
                 self._core,
                 asked,
-                list(goals),
+                as_list(goals),
                 least,
                 greatest,
-                list(constraints),
+                as_list(constraints),
                 robust,
                 starts,
                 seed,
@@ -277,7 +311,7 @@ class Model:
 
     def study(
         self,
-        vary: Mapping[str, str] | None = None,
+        vary: Mapping[str, Values] | None = None,
         *,
         samples: int | None = None,
         method: str = "random",
@@ -287,15 +321,16 @@ class Model:
     ) -> Study:
         """A study of many variants; :meth:`Study.run` computes them.
 
-        :param vary: values of parameters, as in ``{"r": "40 mm:60 mm:21"}`` (from, to, count) or ``"40 mm, 50 mm"``;
-            several multiply. Without any, and without samples, what the model says.
+        :param vary: values of parameters, as in ``{"r": "40 mm:60 mm:21"}`` (from, to, count), ``"40 mm, 50 mm"`` or an
+            array, whose numbers are in SI; several multiply. Without any, and without samples, what the model says.
         :param samples: draws so many sets of all parameters that have a tolerance.
         :param method: ``random``, ``sobol`` or ``latin``.
         :param indices: draws what Sobol indices need.
         :param responses: numbers that come out of each variant, besides those of the model.
         """
+        units = self.parameters
         asked = Asked(
-            vary=tuple((name, values) for name, values in (vary or {}).items()),
+            vary=tuple((name, one_by_one(values, name, units)) for name, values in (vary or {}).items()),
             samples=samples,
             method=method,
             indices=indices,
@@ -308,6 +343,10 @@ class Model:
 def _restored(label: str, text: bytes | None, sets: tuple[str, ...]) -> Model:
     core = _linkdyn.Mechanism.bundled(label) if text is None else _linkdyn.Mechanism.read(label, text)
     return Model(core.set(list(sets)) if sets else core, label, text, sets)
+
+
+def _told(value: Value) -> str:
+    return value if isinstance(value, str) else json.dumps(value, default=_plain)
 
 
 def _path(name: str) -> str:

@@ -40,7 +40,9 @@ mod _linkdyn {
     #[pymodule_export]
     use super::mechanism::Mechanism;
     #[pymodule_export]
-    use super::questions::{Variants, accuracy, bundled, check, compare, modes, optimise};
+    use super::questions::{
+        Variants, accuracy, bundled, check, compare, modes, optimise, quantity,
+    };
     #[pymodule_export]
     use super::run::{Column, Run};
     #[pymodule_export]

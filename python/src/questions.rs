@@ -267,6 +267,13 @@ impl Variants {
     }
 }
 
+/// What a text such as `90 mm` says in SI, and its SI unit.
+#[pyfunction]
+pub fn quantity(py: Python<'_>, text: &str) -> PyResult<(f64, String)> {
+    let read = at_once(py, || bridge::quantity(text))?;
+    read.map_err(|error| exception(py, &error))
+}
+
 /// Names of the bundled models.
 #[pyfunction]
 pub fn bundled() -> Vec<String> {

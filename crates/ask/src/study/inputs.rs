@@ -242,18 +242,7 @@ fn axis(own: &Varied, file: &ModelFile) -> Result<(Input, Axis), Unanswered> {
 
 /// A value as a parameter of a file would say it [SI], of the same dimension.
 fn value_of(parameter: &Parameter, value: &str) -> Result<f64, String> {
-    let said = match value.parse::<f64>() {
-        Ok(number) => serde_json::json!(number),
-        Err(_) => serde_json::json!(value),
-    };
-    let file = serde_json::json!({ "format": "linkdyn/1", "units": "SI", "parameters": { "value": said },
-        "bodies": { "bar": { "points": { "A": [0, 0] } } } });
-    let loaded = linkdyn_model::load(file.to_string().as_bytes(), &[]);
-    let loaded = loaded.map_err(|complaints| {
-        let first = complaints.0.first();
-        first.map_or_else(String::new, |own| format!("{value:?}: {}", own.message))
-    })?;
-    let found = loaded.parameters.first().ok_or("no value")?;
+    let found = quantity(value)?;
     if found.unit == parameter.unit {
         return Ok(found.value);
     }
@@ -268,6 +257,26 @@ fn value_of(parameter: &Parameter, value: &str) -> Result<f64, String> {
         named(&parameter.unit),
         parameter.text
     ))
+}
+
+/// What a text says as the value of a parameter of a file in SI units.
+pub fn quantity(value: &str) -> Result<Parameter, String> {
+    let said = match value.parse::<f64>() {
+        Ok(number) => serde_json::json!(number),
+        Err(_) => serde_json::json!(value),
+    };
+    let file = serde_json::json!({ "format": "linkdyn/1", "units": "SI", "parameters": { "value": said },
+        "bodies": { "bar": { "points": { "A": [0, 0] } } } });
+    let loaded = linkdyn_model::load(file.to_string().as_bytes(), &[]);
+    let loaded = loaded.map_err(|complaints| {
+        let first = complaints.0.first();
+        first.map_or_else(String::new, |own| format!("{value:?}: {}", own.message))
+    })?;
+    loaded
+        .parameters
+        .first()
+        .cloned()
+        .ok_or_else(|| "no value".to_owned())
 }
 
 fn input(parameter: &Parameter, how: How, what: &str) -> Input {

@@ -17,6 +17,7 @@ use serde::Serialize;
 
 pub use display::Display;
 pub use head::Head;
+pub use inputs::quantity;
 pub use question::{Study, Varied};
 pub use sums::{Sums, Totals};
 pub use variants::Variants;
