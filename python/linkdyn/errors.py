@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -85,6 +86,13 @@ class UnknownName(LinkdynError, KeyError):
     def __str__(self) -> str:
         # KeyError shows the repr of its argument, which is for keys, not for sentences.
         return str(self.args[0]) if self.args else ""
+
+
+def unknown(what: str, name: str, known: Iterable[str]) -> UnknownName:
+    """The exception of a name that there is not, with the most similar one that there is."""
+    near = get_close_matches(str(name), known, 1)
+    hint = f'; did you mean "{near[0]}"?' if near else ""
+    return UnknownName(f'no {what} is called "{name}"{hint}')
 
 
 class UnitError(LinkdynError, ValueError):

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -12,12 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _linkdyn
-from .errors import Interrupted
+from .errors import Interrupted, unknown
 from .progress import Progress, told
 from .run import Array
 from .values import Units, Values, table
 
 if TYPE_CHECKING:
+    import pandas
+
     from .model import Model
 
 __all__ = ["Family", "Variants"]
@@ -35,6 +37,10 @@ class Variants:
     """Names of the responses."""
     fault: tuple[int, str] | None
     """Number of the first variant that the model's check refuses, and why."""
+    inputs: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    """(variants, parameters) values in SI."""
+    units: Mapping[str, str] = field(default_factory=dict)
+    """The SI unit of each parameter and response."""
 
     @property
     def ok(self) -> NDArray[np.bool_]:
@@ -47,9 +53,37 @@ class Variants:
         return np.array(_linkdyn.Family.WORDS)[self.codes]
 
     def __getitem__(self, name: str) -> Array:
-        """(variants) one response."""
+        """(variants) one response.
+
+        :raises UnknownName: a ``KeyError``, where no response has this name.
+        """
+        if name not in self.names:
+            raise unknown("response", name, self.names)
         column: Array = self.values[:, self.names.index(name)]
         return column
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.names
+
+    def keys(self) -> list[str]:
+        """Names of the responses: ``dict(variants)`` has their values."""
+        return list(self.names)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A DataFrame of pandas with a row for each variant: how it ended, parameters, responses.
+
+        ``attrs["units"]`` has the units.
+        """
+        import pandas
+
+        parameters = [name for name in self.units if name not in self.names]
+        columns = dict(zip(parameters, self.inputs.T, strict=True)) | dict(self)
+        frame = pandas.DataFrame({"status": self.status} | columns)
+        frame.attrs["units"] = dict(self.units)
+        return frame
 
     def __len__(self) -> int:
         return len(self.codes)
@@ -92,14 +126,17 @@ class Family:
         :param threads: one for each processor where nobody says. What comes out does not depend on it.
         :raises Interrupted: where Ctrl-C stopped it.
         """
-        rows = table(values, self.parameters, self._units)
+        parameters = self.parameters
+        rows = table(values, parameters, self._units)
         with told(progress, "variants") as show:
             answers, codes, fault, stopped = self._core.run(rows, threads or processors(), show)
         if isinstance(stopped, KeyboardInterrupt):
             raise Interrupted("interrupted") from stopped
         if stopped is not None:
             raise stopped
-        return Variants(np.asarray(answers), np.asarray(codes), list(self.responses), fault)
+        names = list(self.responses)
+        units = {f"parameters.{name}": self._units[name][1] for name in parameters} | dict(self.responses)
+        return Variants(np.asarray(answers), np.asarray(codes), names, fault, rows, units)
 
     @cached_property
     def _units(self) -> Units:

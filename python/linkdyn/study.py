@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from . import _linkdyn
 from .answer import Answer, read, whole
-from .errors import Interrupted
+from .errors import Interrupted, unknown
 from .family import processors
 from .progress import Progress, told
 from .run import Array
@@ -125,9 +125,17 @@ class Table(Mapping[str, Array]):
         return self._rows.units if isinstance(self._source, Rows) else units_of_file(self._source)
 
     def __getitem__(self, name: str) -> Array:
-        """The values (variants) of a response, or of a parameter, with or without ``parameters.`` before it."""
+        """The values (variants) of a response, or of a parameter, with or without ``parameters.`` before it.
+
+        :raises UnknownName: a ``KeyError``, where there is none of this name.
+        """
         columns = self._rows.columns
-        return columns[name if name in columns else f"parameters.{name}"]
+        found = columns.get(name)
+        if found is None:
+            found = columns.get(f"parameters.{name}")
+        if found is None:
+            raise unknown("column", name, columns)
+        return found
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.units)
@@ -139,10 +147,12 @@ class Table(Mapping[str, Array]):
         return f"<linkdyn.Table {self.summary['variants']} variants: {', '.join(self)}>"
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame of pandas with a row for each variant."""
+        """A DataFrame of pandas with a row for each variant; ``attrs["units"]`` has the units."""
         import pandas
 
-        return pandas.DataFrame({"status": self.status} | dict(self))
+        frame = pandas.DataFrame({"status": self.status} | dict(self))
+        frame.attrs["units"] = dict(self.units)
+        return frame
 
     def _repr_html_(self) -> str:
         cells = []

@@ -84,6 +84,27 @@ def test_variants_that_fail_are_told() -> None:
     assert len(family(np.zeros((0, 1)))) == 0
 
 
+def test_variants_are_a_table_of_their_responses() -> None:
+    family = linkdyn.load("slider-crank").family(["crank", "rod"], PRESS | {"peak": "max(abs(driver.motor.effort))"})
+    found = family([[0.05, 0.2], [0.5, 0.2]])
+    assert list(found) == found.keys() == ["stroke", "peak"] and len(found) == 2
+    assert "peak" in found and "crank" not in found
+    assert {name: values.tolist() for name, values in dict(found).items()}.keys() == {"stroke", "peak"}
+    with pytest.raises(KeyError, match='no response is called "strok"; did you mean "stroke"'):
+        found["strok"]
+    with pytest.raises(linkdyn.UnknownName):
+        found[0]  # type: ignore[index]
+    table = linkdyn.load("slider-crank").study({"crank": "40 mm, 50 mm"}, responses=PRESS).run()
+    with pytest.raises(linkdyn.UnknownName, match='did you mean "stroke"'):
+        table["strok"]
+    pytest.importorskip("pandas")
+    frame = found.to_pandas()
+    assert list(frame.columns) == ["status", "parameters.crank", "parameters.rod", "stroke", "peak"]
+    assert frame["parameters.crank"].tolist() == [0.05, 0.5] and frame["status"][0] == "completed"
+    assert frame.attrs["units"] == {"parameters.crank": "m", "parameters.rod": "m", "stroke": "m", "peak": "N*m"}
+    assert table.to_pandas().attrs["units"] == {"parameters.crank": "m", "stroke": "m"}
+
+
 def test_the_bundled_models_are_listed() -> None:
     names = linkdyn.models()
     assert {"lock", "four-bar", "slider-crank"} <= set(names)
