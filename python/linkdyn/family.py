@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -103,6 +103,10 @@ class Family:
     def __init__(self, model: Model, parameters: list[str]) -> None:
         self._model = model
         self._core = model._core.family(parameters)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # So that workers of other processes can have it.
+        return Family, (self._model, self.parameters)
 
     @property
     def parameters(self) -> list[str]:

@@ -195,7 +195,7 @@ class Model:
         else:
             with told(progress, self.name) as show:
                 core, stopped = self._core.run(timeout, show)
-        run = Run(core)
+        run = Run(core, self)
         if isinstance(stopped, KeyboardInterrupt):
             raise Interrupted("interrupted", run) from stopped
         if stopped is not None:

@@ -14,11 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _linkdyn
+from .kept import Kept
 
 if TYPE_CHECKING:
     import pandas
     import polars
     from matplotlib.axes import Axes
+
+    from .model import Model
 
 __all__ = ["Array", "Run"]
 
@@ -41,9 +44,14 @@ class Run(Mapping[str, Array]):
     'completed'
     """
 
-    def __init__(self, core: _linkdyn.Run) -> None:
+    def __init__(self, core: _linkdyn.Run | Kept, model: Model) -> None:
         self._core = core
+        self._model = model
         self._arrays: dict[str, Array] = {}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # So that workers of other processes can hand it back.
+        return Run, (Kept.of(self._core, self._model), self._model)
 
     def __getitem__(self, name: str) -> Array:
         """The values of a column (rows), in its SI unit; its name may end with ``[unit]``.

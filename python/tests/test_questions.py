@@ -105,6 +105,20 @@ def test_variants_are_a_table_of_their_responses() -> None:
     assert table.to_pandas().attrs["units"] == {"parameters.crank": "m", "stroke": "m"}
 
 
+def test_families_and_runs_go_to_other_processes() -> None:
+    joblib = pytest.importorskip("joblib")
+    model = linkdyn.load("slider-crank").set({"parameters.rod": "210 mm", "analysis.outputs": 37})
+    family = model.family("crank", PRESS)
+    values = [[0.04], [0.05]], [[0.06]]
+    found = joblib.Parallel(n_jobs=2)(joblib.delayed(family)(own, threads=1) for own in values)
+    assert [own["stroke"].tolist() for own in found] == [family(own)["stroke"].tolist() for own in values]
+    sizes = ["40 mm", "50 mm"]
+    models = [model.set({"parameters.crank": size}) for size in sizes]
+    runs = joblib.Parallel(n_jobs=2)(joblib.delayed(linkdyn.Model.run)(own) for own in models)
+    for own, run in zip(models, runs, strict=True):
+        assert run.to_numpy().tobytes() == own.run().to_numpy().tobytes()
+
+
 def test_the_bundled_models_are_listed() -> None:
     names = linkdyn.models()
     assert {"lock", "four-bar", "slider-crank"} <= set(names)

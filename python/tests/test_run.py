@@ -248,6 +248,34 @@ def test_the_page_of_a_run_shows_in_a_notebook() -> None:
     assert shown.startswith("<iframe srcdoc=") and "&lt;!doctype html&gt;" in shown
 
 
+def test_a_run_goes_through_a_pickle(tmp_path: Path) -> None:
+    model = linkdyn.load("slider-crank").set({"analysis.columns": ["piston.*"], "analysis.outputs": 37})
+    run = model.run()
+    kept = pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(run))))
+    assert kept.columns == run.columns and kept.units == run.units and repr(kept) == repr(run)
+    assert kept.to_numpy().tobytes() == run.to_numpy().tobytes()
+    # Also what analysis.columns leaves out, and what the rows do not show.
+    for name in ("piston.x", "driver.motor.effort"):
+        assert np.array_equal(kept[name], run[name]) and kept.extremes(name) == run.extremes(name)
+    assert kept.summary == run.summary and kept.warnings == run.warnings and not kept["time"].flags.writeable
+    with pytest.raises(linkdyn.UnknownName, match=r"piston\.x"):
+        kept["piston.xx"]
+    (tmp_path / "kept").mkdir()
+    kept.write(tmp_path / "kept")
+    run.write(tmp_path / "run")
+    assert (tmp_path / "kept" / "results.csv").read_bytes() == (tmp_path / "run" / "results.csv").read_bytes()
+    assert kept.html().startswith("<!doctype html>")
+
+
+def test_a_run_that_ended_early_goes_through_a_pickle() -> None:
+    with pytest.raises(linkdyn.SolveError) as caught:
+        linkdyn.load("slider-crank-clearance").run(timeout=0.0)
+    error = pickle.loads(pickle.dumps(caught.value))
+    assert error.run.status == "time_limit" and str(error) == str(caught.value)
+    with pytest.raises(linkdyn.LinkdynError, match="where it ran"):
+        error.run.html()
+
+
 def test_figures() -> None:
     pytest.importorskip("matplotlib").use("Agg")
     run = linkdyn.load("four-bar").run()
