@@ -241,14 +241,26 @@ class Model:
         """
         return read(whole(_linkdyn.modes(self._core, pose)))
 
-    def accuracy(self, outputs: Iterable[str] = (), *, levels: str | None = None, threads: int | None = None) -> Answer:
+    def accuracy(
+        self, outputs: str | Iterable[str] = (), levels: str | None = None, *, threads: int | None = None
+    ) -> Answer:
         """What tolerances and clearances do to outputs, as in ``accuracy.json``.
 
-        :param outputs: outputs of the model's ``accuracy``, instead of all.
+        :param outputs: outputs of the model's ``accuracy``, instead of all; one may be given alone.
         :param levels: ``first``, ``worst`` or ``certified``.
         :param threads: one for each processor where nobody says. The answer does not depend on it.
         """
-        return read(whole(_linkdyn.accuracy(self._core, list(outputs), levels, threads or processors())))
+        return read(whole(_linkdyn.accuracy(self._core, as_list(outputs), levels, threads or processors())))
+
+    def allocate(self, outputs: str | Iterable[str] = (), *, rss: bool = False) -> tuple[Answer, Model]:
+        """The cheapest tolerances that keep the limits of outputs, as ``allocate --json`` prints, and the model with them.
+
+        :param outputs: outputs of the model's ``accuracy``, instead of all; one may be given alone.
+        :param rss: whether variances add up, as for parts that scatter, instead of all at their worst.
+        :raises SolveError: where the limits can't be kept.
+        """
+        told, best = whole(_linkdyn.allocate(self._core, as_list(outputs), rss))
+        return read(told), Model(best, self._label, best.to_json().encode())
 
     def compare(
         self, joints: str | Iterable[str] = "all", models: str | Iterable[str] = (), columns: str | Iterable[str] = ()

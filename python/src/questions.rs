@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use linkdyn::ask::{Accuracy, Check, Compare, Levels, Method, Modes, Optimise, Study, Varied};
+use linkdyn::ask::{
+    Accuracy, Allocate, Check, Compare, Levels, Method, Modes, Optimise, Study, Varied,
+};
 use linkdyn::{Control, Error, bridge};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -93,6 +95,23 @@ pub fn accuracy(
         let found = mechanism.ask(&question, control)?;
         let page = Some(found.html());
         Ok((bridge::json(&found), bridge::words(found.text()), page))
+    })
+}
+
+/// The cheapest tolerances that keep the limits of outputs, and the model with them.
+#[pyfunction]
+pub fn allocate(
+    py: Python<'_>,
+    model: &Mechanism,
+    outputs: Vec<String>,
+    squares: bool,
+) -> PyResult<Stopped<Option<(Told, Mechanism)>>> {
+    let mechanism = model.own();
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&Allocate { outputs, squares }, control)?;
+        let best = bridge::mechanism(found.model()?)?;
+        let told = (bridge::json(&found), bridge::words(found.text()), None);
+        Ok((told, Mechanism::of(best)))
     })
 }
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import threading
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -29,6 +30,29 @@ def test_accuracy_is_that_of_the_command() -> None:
     told = json.loads(said.stdout)
     assert answer.keys() == told.keys() and answer["outputs"] == told["outputs"]
     assert answer.page and answer.page.startswith("<!doctype html>")
+
+
+COSTLY: dict[str, Any] = {
+    "parameters.crank": {"value": "50 mm", "tolerance": "0.05 mm", "cost": "1 mm"},
+    "parameters.rod": {"value": "200 mm", "tolerance": "0.1 mm", "cost": "2 mm"},
+    "accuracy": {"outputs": {"far": {"column": "piston.x", "at": {"value": "90 deg"}, "limits": [-0.25, 0.25]}}},
+}
+
+
+def test_tolerances_are_allocated_as_by_the_command() -> None:
+    model = linkdyn.load("slider-crank").set(COSTLY)
+    sets = [word for path, value in COSTLY.items() for word in ("--set", f"{path}={json.dumps(value)}")]
+    for rss in (False, True):
+        said, _ = _linkdyn.command(["allocate", "slider-crank", *sets, "--json", *(["--rss"] if rss else [])])
+        answer, cheap = model.allocate("far", rss=rss)
+        told = json.loads(said.stdout)
+        assert answer.keys() == told.keys() and answer["parameters"] == told["parameters"]
+        assert answer.text and cheap.to_dict()["parameters"]["rod"]["tolerance"] != "0.1 mm"
+    assert model.accuracy("far", "first").keys() == model.accuracy(["far"], levels="first").keys()
+    with pytest.raises(linkdyn.ModelError, match="nothing may be off"):
+        linkdyn.load("slider-crank").set({"accuracy": COSTLY["accuracy"]}).allocate()
+    with pytest.raises(linkdyn.ModelError, match="levels"):
+        model.accuracy("far", "frist")
 
 
 def test_compare_names_the_models() -> None:

@@ -49,7 +49,7 @@ const PARTS: &[Part] = &[
     part("of it the command", &["src/cli"], "rs", 3_610),
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_300),
-    part("python package", &["python/linkdyn"], "py", 1_740),
+    part("python package", &["python/linkdyn"], "py", 1_750),
     part("tests", &["tests"], "rs", 44_200),
 ];
 
