@@ -34,6 +34,8 @@ pub struct Family {
     family: analysis::Family,
     /// Values of parameters that the mechanism was given before, behind those that vary.
     fixed: Vec<f64>,
+    /// Over what change of each parameter the mechanism changes much, where its value is zero.
+    lengths: Vec<f64>,
 }
 
 /// The variants that one thread computes; see [`Family`].
@@ -68,8 +70,11 @@ impl Mechanism {
             };
             names.push(parameter.name.as_str());
         }
+        let lengths = names.iter().map(|name| length(&loaded.parameters, name));
+        let lengths = lengths.collect();
         let family = analysis::Family::new(loaded, &names, Given::Values);
         Ok(Family {
+            lengths,
             family: family.map_err(|found| self.place(found))?,
             mechanism: self.clone(),
             fixed: others.iter().map(|(_, value)| *value).collect(),
@@ -131,14 +136,81 @@ impl Member<'_> {
     /// Where there are not as many values as parameters, or more or less room than responses.
     pub fn run(&mut self, values: &[f64], responses: &mut [f64]) -> Result<Status, Error> {
         let family = self.family;
-        let wanted = self.family.family.parameters() - family.fixed.len();
+        self.take(values, responses);
+        let ended = self.member.run(&self.values, &self.control, responses);
+        let ended = ended.map_err(|found| family.mechanism.place(found))?;
+        Ok(ended.status)
+    }
+
+    /// Works out the responses and their exact derivatives by the parameters \[SI\]: a row of `gradient` for each response, NaN
+    /// where a derivative is not known exactly. Known are those of motions that drivers prescribe, and of equilibria that are
+    /// stable: of smooth extremes, of values at an instant, and of sums over the rows.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where the model has faults with these values.
+    ///
+    /// # Panics
+    /// Where there are not as many values as parameters, or more or less room than responses, and responses by parameters.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::prelude::*;
+    ///
+    /// let press = Mechanism::bundled("slider-crank")?.set("responses.stroke", "max(piston.x) - min(piston.x)")?;
+    /// let family = press.family(&[press.parameter("crank")?])?;
+    /// let (mut stroke, mut slope) = ([0.0], [0.0]);
+    /// family.member().gradient(&[0.05], &mut stroke, &mut slope)?;
+    /// assert!((slope[0] - 2.0).abs() < 1e-12);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn gradient(
+        &mut self,
+        values: &[f64],
+        responses: &mut [f64],
+        gradient: &mut [f64],
+    ) -> Result<Status, Error> {
+        let family = self.family;
+        self.take(values, responses);
+        let columns = values.len();
+        assert_eq!(
+            gradient.len(),
+            columns * responses.len(),
+            "room for each derivative"
+        );
+        let lengths = self.values.iter().zip(&family.lengths);
+        let lengths =
+            lengths.map(|(value, length)| if *value == 0.0 { *length } else { value.abs() });
+        let lengths: Vec<f64> = lengths.collect();
+        let mut all = vec![f64::NAN; lengths.len() * responses.len()];
+        let (member, control) = (&mut self.member, &self.control);
+        let ended = member.gradient(&self.values, &lengths, control, responses, &mut all);
+        let ended = ended.map_err(|found| family.mechanism.place(found))?;
+        let rows = gradient.chunks_exact_mut(columns.max(1));
+        for (row, all) in rows.zip(all.chunks_exact(lengths.len().max(1))) {
+            row.copy_from_slice(&all[..columns]);
+        }
+        Ok(ended.status)
+    }
+
+    /// Takes values of the parameters that vary, with those of the others behind them.
+    fn take(&mut self, values: &[f64], responses: &[f64]) {
+        let family = self.family;
+        let wanted = family.family.parameters() - family.fixed.len();
         assert_eq!(values.len(), wanted, "one value for each parameter");
         let count = family.family.responses().len();
         assert_eq!(responses.len(), count, "room for each response");
         self.values.clear();
         self.values.extend(values.iter().chain(&family.fixed));
-        let ended = self.member.run(&self.values, &self.control, responses);
-        let ended = ended.map_err(|found| family.mechanism.place(found))?;
-        Ok(ended.status)
+    }
+}
+
+/// Over what change of a parameter that is zero the mechanism changes much: the largest that has its unit, or one unit.
+fn length(parameters: &[linkdyn_model::Parameter], name: &str) -> f64 {
+    let own = parameters.iter().find(|own| own.name == name);
+    let alike = |other: &&linkdyn_model::Parameter| own.is_some_and(|own| own.unit == other.unit);
+    let sizes = parameters.iter().filter(alike).map(|one| one.value.abs());
+    match sizes.fold(0.0, f64::max) {
+        0.0 => 1.0,
+        largest => largest,
     }
 }

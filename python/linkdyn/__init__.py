@@ -25,6 +25,7 @@ from .errors import (
     UnknownName,
 )
 from .family import Family, Variants
+from .function import Function
 from .model import Model, load, models
 from .run import Run
 from .simulation import Checkpoint, Simulation
@@ -36,6 +37,7 @@ __all__ = [
     "Complaint",
     "Equations",
     "Family",
+    "Function",
     "InternalError",
     "Interrupted",
     "LinkdynError",

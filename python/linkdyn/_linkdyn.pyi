@@ -137,8 +137,8 @@ class Family:
     @property
     def responses(self) -> list[tuple[str, str]]: ...
     def run(
-        self, values: object, threads: int, told: Callable[[float], object] | None = None
-    ) -> tuple[Answers, Statuses, tuple[int, str] | None, BaseException | None]: ...
+        self, values: object, threads: int, told: Callable[[float], object] | None = None, slopes: bool = False
+    ) -> tuple[Answers, Statuses, tuple[int, str] | None, BaseException | None, Answers]: ...
 
 @final
 class Variants:

@@ -119,6 +119,11 @@ class Family:
         return dict(self._core.responses)
 
     @property
+    def names(self) -> list[str]:
+        """Names of the responses, in their order."""
+        return list(self.responses)
+
+    @property
     def words(self) -> list[str]:
         """Words of the numbers that tell how variants ended."""
         return _linkdyn.Family.WORDS
@@ -130,17 +135,42 @@ class Family:
         :param threads: one for each processor where nobody says. What comes out does not depend on it.
         :raises Interrupted: where Ctrl-C stopped it.
         """
+        return self._run(values, threads, progress, slopes=False)[0]
+
+    def gradient(self, values: Values, *, threads: int | None = None, progress: Progress = None) -> Array:
+        """(variants, responses, parameters) exact derivatives in SI; NaN where one is not known exactly.
+
+        Known are those of motions that drivers prescribe, and of stable equilibria: of smooth extremes, of values at an
+        instant, and of sums over the rows.
+
+        :param values: as those of a call.
+
+        >>> import linkdyn
+        >>> press = linkdyn.load("slider-crank").family("crank", {"stroke": "max(piston.x) - min(piston.x)"})
+        >>> press.gradient(["50 mm"]).round(9).tolist()
+        [[[2.0]]]
+        """
+        return self.value_and_gradient(values, threads=threads, progress=progress)[1]
+
+    def value_and_gradient(
+        self, values: Values, *, threads: int | None = None, progress: Progress = None
+    ) -> tuple[Variants, Array]:
+        """What a call gives, and :meth:`gradient`, at once."""
+        variants, slopes = self._run(values, threads, progress, slopes=True)
+        return variants, slopes.reshape(-1, len(self.responses), len(self.parameters))
+
+    def _run(self, values: Values, threads: int | None, progress: Progress, *, slopes: bool) -> tuple[Variants, Array]:
         parameters = self.parameters
         rows = table(values, parameters, self._units)
         with told(progress, "variants") as show:
-            answers, codes, fault, stopped = self._core.run(rows, threads or processors(), show)
+            answers, codes, fault, stopped, found = self._core.run(rows, threads or processors(), show, slopes)
         if isinstance(stopped, KeyboardInterrupt):
             raise Interrupted("interrupted") from stopped
         if stopped is not None:
             raise stopped
         names = list(self.responses)
         units = {f"parameters.{name}": self._units[name][1] for name in parameters} | dict(self.responses)
-        return Variants(np.asarray(answers), np.asarray(codes), names, fault, rows, units)
+        return Variants(np.asarray(answers), np.asarray(codes), names, fault, rows, units), np.asarray(found)
 
     @cached_property
     def _units(self) -> Units:

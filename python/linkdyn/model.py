@@ -17,6 +17,7 @@ from .answer import Answer, read, whole
 from .equations import Equations
 from .errors import Interrupted, ModelError, SolveError
 from .family import Family, processors
+from .function import Function
 from .progress import Progress, told
 from .run import Run
 from .simulation import Simulation
@@ -31,6 +32,8 @@ Value: TypeAlias = "str | int | float | bool | np.number[Any] | Mapping[str, Any
 """A value of a model, as its JSON has it; texts such as ``"40 mm"`` or ``"2*r"`` mean what they mean in a file."""
 
 
+_ONE = "response"
+"""How a response is called that was given no name."""
 _LARGEST = 64 * 1024 * 1024
 """Bytes of a model file at most; what is larger is refused by whoever reads it."""
 
@@ -213,6 +216,37 @@ class Model:
         model = self.set({f"responses.{name}": text for name, text in responses.items()}) if responses else self
         names = [name.removeprefix("parameters.") for name in as_list(parameters)]
         return Family(model, names)
+
+    def function(self, responses: str | Mapping[str, str], parameters: str | Iterable[str]) -> Function:
+        """Responses as a function of parameters, with exact derivatives, for solvers such as those of SciPy.
+
+        :param responses: an expression, whose values are numbers, or expressions by name, whose values are arrays.
+        :param parameters: names, with or without ``parameters.`` before them.
+
+        >>> import linkdyn
+        >>> stroke = linkdyn.load("slider-crank").function("max(piston.x) - min(piston.x)", "crank")
+        >>> round(stroke([0.04]), 9), stroke.jac([0.04]).round(9).tolist()
+        (0.08, [2.0])
+        """
+        is_single = isinstance(responses, str)
+        asked = {_ONE: responses} if isinstance(responses, str) else dict(responses)
+        return Function(self.family(parameters, asked), list(asked), is_single=is_single)
+
+    def gradient(self, responses: str | Mapping[str, str], parameters: str | Iterable[str]) -> dict[str, Any]:
+        """Exact derivatives of responses by parameters, in SI, where the model stands; NaN where one is not known exactly.
+
+        :param responses: an expression, or expressions by name: then there is a dictionary for each name.
+        :param parameters: names, with or without ``parameters.`` before them.
+
+        >>> import linkdyn
+        >>> slopes = linkdyn.load("slider-crank").gradient("max(piston.x) - min(piston.x)", ["crank", "rod"])
+        >>> round(slopes["crank"], 9), abs(slopes["rod"]) < 1e-9
+        (2.0, True)
+        """
+        f = self.function(responses, parameters)
+        slopes = f.family.gradient(f.x0[None])[0]
+        found = {name: dict(zip(f.parameters, slopes[f.family.names.index(name)].tolist(), strict=True)) for name in f.names}
+        return found[_ONE] if isinstance(responses, str) else found
 
     def compile(self) -> Equations:
         """The equations of the model, for solvers of one's own."""

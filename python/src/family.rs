@@ -40,8 +40,15 @@ pub struct Family {
     responses: Vec<(String, String)>,
 }
 
-/// What came out: the table, how each variant ended, the first fault, and what stopped it from Python.
-type Out = (Answers, Statuses, Option<(usize, String)>, Option<PyErr>);
+/// What came out: the table, how each variant ended, the first fault, and what stopped it from Python; the derivatives where they
+/// are wanted.
+type Out = (
+    Answers,
+    Statuses,
+    Option<(usize, String)>,
+    Option<PyErr>,
+    Answers,
+);
 
 #[pymethods]
 impl Family {
@@ -65,14 +72,16 @@ impl Family {
         self.responses.clone()
     }
 
-    /// Works out the responses of many variants: `values` (variants, parameters) in SI, C-contiguous doubles.
-    #[pyo3(signature = (values, threads, told=None))]
+    /// Works out the responses of many variants: `values` (variants, parameters) in SI, C-contiguous doubles. With `slopes`
+    /// also their derivatives (variants, responses times parameters), NaN where one is not known exactly.
+    #[pyo3(signature = (values, threads, told=None, slopes=false))]
     fn run(
         &self,
         py: Python<'_>,
         values: PyBuffer<f64>,
         threads: usize,
         told: Option<&Bound<'_, PyAny>>,
+        slopes: bool,
     ) -> PyResult<Out> {
         let wanted = self.parameters.len();
         if values.shape().len() != 2 || values.shape()[1] != wanted {
@@ -88,7 +97,13 @@ impl Family {
             rows,
             inputs: wanted,
             width: self.responses.len(),
+            slopes: if slopes {
+                wanted * self.responses.len()
+            } else {
+                0
+            },
         };
+        let columns = table.slopes;
         let done = watched(py, told, move |watch| table.all(threads, watch))?;
         let found = done.value.map_err(|error| exception(py, &error))?;
         let answers = Answers {
@@ -100,22 +115,29 @@ impl Family {
             Statuses(found.statuses),
             found.refused,
             done.stopped,
+            Answers {
+                values: Arc::new(found.slopes),
+                width: columns,
+            },
         ))
     }
 }
 
-/// What is asked of a family: values (rows, inputs), whose answers are (rows, width).
+/// What is asked of a family: values (rows, inputs), whose answers are (rows, width), their derivatives (rows, slopes).
 struct Table {
     family: Arc<linkdyn::Family>,
     values: Vec<f64>,
     rows: usize,
     inputs: usize,
     width: usize,
+    /// 0 where no derivatives are wanted.
+    slopes: usize,
 }
 
 /// What all threads found.
 struct Found {
     values: Vec<f64>,
+    slopes: Vec<f64>,
     statuses: Vec<u8>,
     refused: Option<(usize, String)>,
 }
@@ -124,6 +146,7 @@ struct Found {
 struct Portion {
     from: usize,
     values: Vec<f64>,
+    slopes: Vec<f64>,
     statuses: Vec<u8>,
     refused: Option<(usize, String)>,
 }
@@ -176,9 +199,10 @@ impl Table {
             }
             ended
         })?;
-        let width = self.width;
+        let (width, slopes) = (self.width, self.slopes);
         let mut found = Found {
             values: vec![f64::NAN; rows * width],
+            slopes: vec![f64::NAN; rows * slopes],
             statuses: vec![code(Status::Interrupted); rows],
             refused: None,
         };
@@ -189,6 +213,7 @@ impl Table {
         for portion in done {
             let (from, to) = (portion.from, portion.from + portion.statuses.len());
             found.values[from * width..to * width].copy_from_slice(&portion.values);
+            found.slopes[from * slopes..to * slopes].copy_from_slice(&portion.slopes);
             found.statuses[from..to].copy_from_slice(&portion.statuses);
             found.refused = found.refused.or(portion.refused);
         }
@@ -205,14 +230,16 @@ impl Table {
         let mut portion = Portion {
             from: rows.start,
             values: vec![f64::NAN; rows.len() * width],
+            slopes: vec![f64::NAN; rows.len() * self.slopes],
             statuses: Vec::with_capacity(rows.len()),
             refused: None,
         };
         let last = rows.end;
         for (place, row) in rows.enumerate() {
             let answers = &mut portion.values[place * width..(place + 1) * width];
+            let slopes = &mut portion.slopes[place * self.slopes..(place + 1) * self.slopes];
             let of = |row: usize| &self.values[row * inputs..(row + 1) * inputs];
-            if place.is_multiple_of(linkdyn::Family::ABREAST) {
+            if self.slopes == 0 && place.is_multiple_of(linkdyn::Family::ABREAST) {
                 let end = last.min(row + linkdyn::Family::ABREAST);
                 let next: Vec<&[f64]> = (row..end).map(of).collect();
                 if bridge::caught(|| member.expect(&next)).is_err() {
@@ -221,7 +248,11 @@ impl Table {
                 }
             }
             let values = of(row);
-            let (status, said) = match bridge::caught(|| member.run(values, answers)) {
+            let run = || match self.slopes {
+                0 => member.run(values, answers),
+                _ => member.gradient(values, answers, slopes),
+            };
+            let (status, said) = match bridge::caught(run) {
                 Ok(Ok(status)) => (code(status), None),
                 Ok(Err(error)) => (REFUSED, Some(error.to_string())),
                 Err(said) => {
@@ -232,6 +263,7 @@ impl Table {
             portion.statuses.push(status);
             if let Some(said) = said {
                 answers.fill(f64::NAN);
+                slopes.fill(f64::NAN);
                 portion.refused.get_or_insert((row, said));
             }
         }
