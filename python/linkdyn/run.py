@@ -19,6 +19,7 @@ from .kept import Kept
 if TYPE_CHECKING:
     import pandas
     import polars
+    import xarray
     from matplotlib.axes import Axes
 
     from .model import Model
@@ -158,6 +159,16 @@ class Run(Mapping[str, Array]):
         import polars
 
         return polars.DataFrame({name: np.ascontiguousarray(self[name]) for name in self})
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A Dataset of xarray over ``time``, with a variable for each other column of ``results.csv`` and its ``units``."""
+        try:
+            import xarray
+        except ImportError as error:
+            raise ImportError('to_xarray needs xarray: pip install "linkdyn[xarray]"') from error
+        columns = {name: ("time", self[name], {"units": unit}) for name, unit in self.units.items()}
+        time = columns.pop("time", ("time", self.t, {"units": "s"}))
+        return xarray.Dataset(columns, coords={"time": time}, attrs={"model": self._model.name, "status": self.status})
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         """The table for anything that reads Arrow. Needs pyarrow or Polars, which make it."""

@@ -7,6 +7,7 @@ import json
 import os
 import pickle
 import signal
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -274,6 +275,20 @@ def test_a_run_that_ended_early_goes_through_a_pickle() -> None:
     assert error.run.status == "time_limit" and str(error) == str(caught.value)
     with pytest.raises(linkdyn.LinkdynError, match="where it ran"):
         error.run.html()
+
+
+def test_a_dataset_of_xarray(monkeypatch: pytest.MonkeyPatch) -> None:
+    run = linkdyn.load("four-bar").set({"analysis.outputs": 5}).run()
+    with monkeypatch.context() as without:
+        without.setitem(sys.modules, "xarray", None)
+        with pytest.raises(ImportError, match=r'pip install "linkdyn\[xarray\]"'):
+            run.to_xarray()
+    pytest.importorskip("xarray")
+    data = run.to_xarray()
+    assert data.sizes == {"time": 5} and list(data) == run.columns[1:]
+    effort = data["driver.motor.effort"]
+    assert effort.units == "N*m" and np.array_equal(effort, run["driver.motor.effort"])
+    assert data.time.units == "s" and data.attrs == {"model": "Four-bar", "status": "completed"}
 
 
 def test_figures() -> None:
