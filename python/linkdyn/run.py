@@ -194,32 +194,39 @@ class Run(Mapping[str, Array]):
         page = html.escape(self.html(), quote=True)
         return f'<iframe srcdoc="{page}" width="100%" height="720" style="border:0" title="linkdyn"></iframe>'
 
-    def plot(self, *names: str, over: str = "time", ax: Axes | None = None, **style: Any) -> Axes:
+    def plot(self, *names: str, over: str = "time", units: str | None = None, ax: Axes | None = None, **style: Any) -> Axes:
         """Draws columns with matplotlib, over time or over another column; further arguments go to ``Axes.plot``.
 
         A magnitude is asked for without a letter: ``joint.a.f`` of ``joint.a.fx`` and ``joint.a.fy``.
+
+        :param units: ``"SI"`` draws in SI, where all else is in the units that the model file names.
         """
         if ax is None:
             from matplotlib import pyplot
 
             ax = pyplot.subplots()[1]
+        x, x_unit = self._drawn(over, units)
         drawn = []
         for name in names:
-            values, unit = self._drawn(name)
+            values, unit = self._drawn(name, units)
             drawn.append(unit)
-            ax.plot(self[over], values, **({"label": name} | style))
-        ax.set_xlabel(f"{over} [{self.units[over]}]")
-        units = list(dict.fromkeys(drawn))
+            ax.plot(x, values, **({"label": name} | style))
+        ax.set_xlabel(f"{over} [{x_unit}]")
         label = names[0] if len(names) == 1 else ""
-        ax.set_ylabel(f"{label} [{', '.join(units)}]".strip())
+        ax.set_ylabel(f"{label} [{', '.join(dict.fromkeys(drawn))}]".strip())
         if len(names) > 1:
             ax.legend()
         ax.grid(True, alpha=0.3)
         return ax
 
-    def _drawn(self, name: str) -> tuple[Array, str]:
+    def _drawn(self, name: str, units: str | None) -> tuple[Array, str]:
+        """The values of a column in the unit in which it is drawn."""
+        if units not in (None, "SI"):
+            raise ValueError(f'units are those of the model file (None) or "SI", not {units!r}')
         parts = [name + letter for letter in "xy"]
         if name not in self.units and all(part in self.units for part in parts):
-            return np.hypot(*(self[part] for part in parts)), self.units[parts[0]]
-        values = self[name]
-        return values, self.units.get(name.split("[", 1)[0], "")
+            values, unit = np.hypot(*(self[part] for part in parts)), self.units[parts[0]]
+        else:
+            values, unit = self[name], self._model.units.get(name.split("[", 1)[0], "")
+        own = None if units else self._model._unit(unit)
+        return (values / _linkdyn.quantity(f"1 {own}")[0], own) if own else (values, unit)

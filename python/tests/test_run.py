@@ -291,6 +291,20 @@ def test_a_dataset_of_xarray(monkeypatch: pytest.MonkeyPatch) -> None:
     assert data.time.units == "s" and data.attrs == {"model": "Four-bar", "status": "completed"}
 
 
+def test_figures_are_in_the_units_of_the_file() -> None:
+    pytest.importorskip("matplotlib").use("Agg")
+    run = linkdyn.load("four-bar").run()
+    ax = run.plot("coupler.P.y", over="crank.angle")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("crank.angle [deg]", "coupler.P.y [mm]")
+    assert ax.get_lines()[0].get_ydata() == pytest.approx(run["coupler.P.y"] * 1e3)
+    assert ax.get_lines()[0].get_xdata() == pytest.approx(np.degrees(run["crank.angle"]))
+    ax = run.plot("coupler.P.y", over="crank.angle", units="SI")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("crank.angle [rad]", "coupler.P.y [m]")
+    assert np.array_equal(ax.get_lines()[0].get_ydata(), run["coupler.P.y"])
+    with pytest.raises(ValueError, match="SI"):
+        run.plot("coupler.P.y", units="mm")
+
+
 def test_figures() -> None:
     pytest.importorskip("matplotlib").use("Agg")
     run = linkdyn.load("four-bar").run()
