@@ -6,7 +6,8 @@ Everything that linkdyn raises on its own is a :class:`LinkdynError`, except :cl
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import TYPE_CHECKING, Any
@@ -50,6 +51,34 @@ class Complaint:
         return self.text
 
 
+_PLURALS = {name: f"{name}s" for name in ("constraint", "goal", "joint", "output", "response")}
+_NAME = (
+    r"--(allow-files|columns|constraint|goal|indices|joint|levels|maximise|minimise|models|output|response|robust|samples"
+    r"|seed|set|starts|threads|vary)\b"
+)
+_IN_PYTHON: list[tuple[re.Pattern[str], Callable[[re.Match[str]], str]]] = [
+    (re.compile(r'(?:--vary )?"parameters\.(\w+)=([^"]*)"'), lambda own: f'{{"{own[1]}": "{own[2]}"}}'),
+    (re.compile(r'(?<=add )--response "(\w+) = ([^"]*)"'), lambda own: f'responses={{"{own[1]}": "{own[2]}"}}'),
+    (re.compile(r'(?<=say )--goal ("[^"]*")'), lambda own: f"goals=[{own[1]}]"),
+    (re.compile(r"(?<=say )(?=\{)"), lambda _: "vary="),
+    (re.compile(r"\ba --constraint"), lambda _: "one of the constraints"),
+    (re.compile(rf"{_NAME} (?=[A-Z]+\b)"), lambda own: f"{_argument(own[1])}="),
+    (re.compile(_NAME), lambda own: _argument(own[1])),
+]
+
+
+def _argument(option: str) -> str:
+    return _PLURALS.get(option, option.replace("-", "_"))
+
+
+def _in_python(told: Any) -> Any:
+    """What a message says of options of the command, said of arguments."""
+    if isinstance(told, str) and ("--" in told or "as in" in told):
+        for pattern, of in _IN_PYTHON:
+            told = pattern.sub(of, told)
+    return told
+
+
 class LinkdynError(Exception):
     """Something could not be done."""
 
@@ -69,8 +98,8 @@ class ModelError(LinkdynError, ValueError):
     """The faults, in the order of the lines."""
 
     def __init__(self, text: str, complaints: Iterable[Sequence[Any] | Complaint] = ()) -> None:
-        super().__init__(text)
-        self.complaints = [one if isinstance(one, Complaint) else Complaint(*one) for one in complaints]
+        super().__init__(_in_python(text))
+        self.complaints = [one if isinstance(one, Complaint) else Complaint(*map(_in_python, one)) for one in complaints]
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (str(self), self.complaints)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -59,6 +60,35 @@ def test_bad_questions_are_told_in_the_words_of_the_command() -> None:
     assert [one.text for one in caught.value.complaints] == [
         line.removeprefix("error: four-bar: ") for line in said.stderr.splitlines()
     ]
+
+
+def test_messages_speak_of_arguments(tmp_path: Path) -> None:
+    press, stroke = linkdyn.load("slider-crank"), "max(piston.x) - min(piston.x)"
+    responses = {"stroke": stroke}
+    worn = linkdyn.load("slider-crank-clearance")
+    told: dict[str, Callable[[], object]] = {
+        'say vary={"r": "10 mm:60 mm"}': lambda: press.optimise(),
+        'say goals=["stroke = 80 mm"], minimise=EXPRESSION or maximise=': lambda: press.optimise({"crank": None}),
+        'as in {"r": "10 mm:60 mm"}': lambda: press.optimise({"crank": "1:2:3"}, goals="x = 1"),
+        "an inequality is one of the constraints": lambda: press.optimise({"crank": None}, goals="x > 1"),
+        'minimise "x", maximise "y"': lambda: press.optimise({"crank": None}, minimise="x", maximise="y"),
+        'as in {"r": "40 mm:60 mm:21"} or {"r": "40 mm, 50 mm"}': lambda: press.study(
+            {"crank": "1:2"}, responses=responses
+        ).run(),
+        'say vary={"NAME": "FROM:TO:COUNT"}, or samples=N': lambda: press.study(responses=responses).run(),
+        'add responses={"stroke": ': lambda: press.study({"crank": "50 mm"}).run(),
+        'responses "a = max("': lambda: press.study({"crank": "50 mm"}, responses={"a": "max("}).run(),
+        "samples: no parameter has": lambda: press.study(samples=3, responses=responses).run(),
+        'models: there is no clearance model "x"': lambda: worn.compare(models="x"),
+        'columns "x": matches no column': lambda: worn.compare(columns="x"),
+        "as joints says": lambda: worn.compare("x"),
+        "set parameters.crank=9 zoll": lambda: press.set({"parameters.crank": "9 zoll"}),
+    }
+    for words, ask in told.items():
+        with pytest.raises(linkdyn.ModelError) as caught:
+            ask()
+        for text in (str(caught.value), *(one.text for one in caught.value.complaints)):
+            assert words in text and "--" not in text, text
 
 
 @pytest.mark.parametrize("is_watched", [False, True])
