@@ -109,6 +109,17 @@ class UnknownModel(LinkdynError, LookupError):
     """No file and no bundled model has this name."""
 
 
+class MissingFile(UnknownModel, FileNotFoundError):
+    """There is no such file, and no bundled model has this name."""
+
+    def __init__(self, number: int, text: str, path: str) -> None:
+        super().__init__(number, text, path)
+        self.errno, self.strerror, self.filename = number, text, path
+
+    def __str__(self) -> str:
+        return f"{self.filename}: {self.strerror}"
+
+
 class UnknownName(LinkdynError, KeyError):
     """No parameter or column has this name."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
+from errno import ENOENT
 from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
@@ -15,7 +16,7 @@ import numpy as np
 from . import _linkdyn
 from .answer import Answer, read, whole
 from .equations import Equations
-from .errors import Interrupted, ModelError, SolveError
+from .errors import Interrupted, MissingFile, ModelError, SolveError, UnknownModel
 from .family import Family, processors
 from .function import Function
 from .progress import Progress, told
@@ -55,7 +56,8 @@ def load(source: Source, allow_files: Iterable[str | PathLike[str]] = ()) -> Mod
         dictionary of the same shape.
     :param allow_files: folders below which the model may name files, besides its own folder.
     :raises ModelError: with all faults of the model.
-    :raises UnknownModel: where there is neither such a file nor a bundled model of that name.
+    :raises UnknownModel: where there is neither such a file nor a bundled model of that name; it is a ``FileNotFoundError``,
+        too, where the name is that of a path.
 
     >>> import linkdyn
     >>> linkdyn.load("lock").name
@@ -70,7 +72,14 @@ def load(source: Source, allow_files: Iterable[str | PathLike[str]] = ()) -> Mod
         return Model._of_text("model", source.encode(), allowed)
     path = Path(fspath(source))
     if isinstance(source, str) and not path.is_file():
-        return Model(_linkdyn.Mechanism.bundled(source), source, None)
+        try:
+            return Model(_linkdyn.Mechanism.bundled(source), source, None)
+        except UnknownModel:
+            # What looks like a path is meant as one.
+            if not path.suffix and path.name == source:
+                raise
+            if not path.exists():
+                raise MissingFile(ENOENT, "there is no such file, and no bundled model of that name", source) from None
     with path.open("rb") as file:
         text = file.read(_LARGEST + 1)
     return Model._of_text(path.stem, text, allowed, str(path))

@@ -49,8 +49,12 @@ def test_names_that_there_are_not() -> None:
         run["driver.motor.efort"]
     with pytest.raises(linkdyn.UnknownName, match="crank"):
         linkdyn.load("four-bar").family(["crnk"])
-    with pytest.raises(FileNotFoundError):
-        linkdyn.load(Path("nowhere.json"))
+    for path in (Path("nowhere.json"), "nowhere.json", "models/nowhere"):
+        with pytest.raises(FileNotFoundError, match="nowhere") as caught:
+            linkdyn.load(path)
+        assert caught.value.filename == str(path) and isinstance(caught.value, linkdyn.UnknownModel | OSError)
+    with pytest.raises(linkdyn.UnknownModel, match="there is no such file"):
+        linkdyn.load("nowhere.json")
 
 
 def test_bad_questions_are_told_in_the_words_of_the_command() -> None:

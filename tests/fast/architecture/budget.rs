@@ -49,7 +49,7 @@ const PARTS: &[Part] = &[
     part("of it the command", &["src/cli"], "rs", 3_610),
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_330),
-    part("python package", &["python/linkdyn"], "py", 1_930),
+    part("python package", &["python/linkdyn"], "py", 1_950),
     part("tests", &["tests"], "rs", 44_200),
 ];
 
