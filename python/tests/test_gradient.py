@@ -56,6 +56,13 @@ def test_derivatives_by_masses_and_at_zero() -> None:
             assert slopes[name][parameter] == pytest.approx(wanted, rel=1e-8, abs=1e-8), (name, parameter)
 
 
+def test_derivatives_of_an_equilibrium() -> None:
+    f = linkdyn.load("four-bar-spring").function({"lean": "last(left.angle)", "push": "last(joint.a.fx)"}, ["side", "rho"])
+    slopes = f.family.gradient([f.x0])[0]
+    wanted = differences(f)
+    assert np.isfinite(slopes).all() and np.all(np.abs(slopes - wanted) <= 1e-8 * np.abs(wanted).max(axis=1, keepdims=True))
+
+
 def test_a_gradient_by_name() -> None:
     press = linkdyn.load("slider-crank")
     stroke = "max(piston.x) - min(piston.x)"
