@@ -15,6 +15,8 @@ pub enum Exit {
     BadInput,
     /// The solver cannot continue.
     Stopped,
+    /// A response misses its limits.
+    Missed,
     /// The system takes no more: a full disk, a folder without permission, an output that is closed.
     Unwritten,
     /// A fault of linkdyn itself.
@@ -31,6 +33,7 @@ impl Exit {
             Exit::Fault => 1,
             Exit::BadInput => 2,
             Exit::Stopped => 3,
+            Exit::Missed => 4,
             Exit::Unwritten => 5,
             Exit::Broken => 6,
             Exit::Interrupted => 130,

@@ -71,13 +71,14 @@ fn exit_help() -> String {
     let code = Exit::code;
     format!(
         "Exit status: {} done, {} a check or validation found a fault, {} the input is bad, {} the solver cannot continue, \
-         {} something can't be written, {} a fault of linkdyn itself, {} interrupted.\n\n\
+         {} with `run --strict`: a response misses its limits, {} something can't be written, {} a fault of linkdyn itself, {} interrupted.\n\n\
          Begin with `linkdyn new`. `linkdyn docs tutorial` builds a model step by step; \
          `linkdyn docs messages` explains messages.",
         code(Exit::Done),
         code(Exit::Fault),
         code(Exit::BadInput),
         code(Exit::Stopped),
+        code(Exit::Missed),
         code(Exit::Unwritten),
         code(Exit::Broken),
         code(Exit::Interrupted),

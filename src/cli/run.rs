@@ -10,11 +10,12 @@ use super::exit::{BadInput, Exit, Failure};
 use super::live::Live;
 use super::open::ModelOptions;
 use super::progress::Line;
-use super::streams::{complain, print, print_with, remark};
+use super::streams::{complain, print, print_page, print_with, remark};
 use super::watch::watch;
 use super::{interrupt, replaced};
 use linkdyn_ask::run::{Run, of_columns, text};
-use linkdyn_ask::text::{Page, seconds};
+use linkdyn_ask::text::responses::is_missed;
+use linkdyn_ask::text::{Page, names, seconds};
 use linkdyn_ask::{ModelFile, Question, with_responses};
 use linkdyn_engine::analysis::Outcome;
 use linkdyn_output::{Directory, Stage, csv};
@@ -37,6 +38,9 @@ pub struct Options {
     /// Ask for a named number of the run, as in "stroke = max(piston.x) - min(piston.x)"; may be given more than once
     #[arg(long = "response", value_name = "NAME = EXPRESSION")]
     responses: Vec<String>,
+    /// End with exit status 4 where a response misses its limits
+    #[arg(long)]
+    strict: bool,
     /// Run again whenever the model file changes, until Ctrl-C
     #[arg(long)]
     watch: bool,
@@ -47,7 +51,9 @@ const HELP: &str = "  linkdyn run four-bar -o out
   linkdyn run four-bar --set parameters.crank=\"120 mm\" --json
   linkdyn run four-bar -o - > results.csv
   linkdyn run four-bar --response \"peak = max(abs(driver.motor.effort))\"
+  linkdyn run mine.json --strict
 
+Exit status: 4 with --strict, where a response misses its limits; the rest as of all commands (linkdyn --help).
 What the columns mean: linkdyn docs results. What a message means: linkdyn docs messages.";
 
 /// Where the results go.
@@ -79,9 +85,9 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let shown = options.output.as_deref().filter(|_| !options.no_report);
     let mut live = None;
     watch(options.model.path(), || {
-        let exit = once(options)?;
+        let ran = once(options);
         let Some(path) = shown else {
-            return Ok((exit, String::new()));
+            return Ok((ran?, String::new()));
         };
         let live = match &mut live {
             Some(live) => live,
@@ -133,7 +139,7 @@ fn once(options: &Options) -> Result<Exit, Failure> {
         (Target::Nowhere, true) => print(&file.origin().summary(&outcome, Stage::default()))?,
         (Target::Directory(_), true) => print(&written.summary)?,
         (Target::Nowhere | Target::Directory(_), false) => {
-            print(page(&file, &outcome, &written).text())?;
+            print_page(&page(&file, &outcome, &written))?;
         }
     }
     let status = outcome.report.status;
@@ -141,8 +147,15 @@ fn once(options: &Options) -> Result<Exit, Failure> {
     if exit != Exit::Done {
         complain(outcome.report.message.as_deref().unwrap_or(status.word()));
     }
-    Ok(exit)
+    complain(&format!("limits are missed: {}", names(&missed)));
+    Ok(Exit::Missed)
 }
+        return Ok(exit);
+    }
+    let missed = outcome.responses.iter().filter(|one| is_missed(one));
+    let missed: Vec<String> = missed.map(|one| one.name.clone()).collect();
+    if !options.strict || missed.is_empty() {
+        return Ok(Exit::Done);
 
 /// The run in words, with what was written and how long that took.
 fn page(file: &ModelFile, outcome: &Outcome, written: &Written) -> Page {

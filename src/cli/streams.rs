@@ -1,7 +1,7 @@
 //! What goes to which stream: standard output carries what was requested, standard error complaints.
 
 use std::cell::RefCell;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::PathBuf;
 
 use linkdyn_ask::text::{Page, plain};
@@ -56,6 +56,16 @@ pub fn tell(mut page: Page, written: &[PathBuf]) -> io::Result<()> {
     let paths = written.iter().map(|path| path.display().to_string());
     page.rows("written", paths);
     print(page.text())
+}
+
+/// Prints an answer in words, in colours where a terminal has them and nobody has switched them off (no-color.org).
+pub fn print_page(page: &Page) -> io::Result<()> {
+    let is_set = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
+    let plain = is_set("NO_COLOR").is_some() || is_set("TERM").is_some_and(|name| name == "dumb");
+    match plain || SAID.with_borrow(Option::is_some) || !io::stdout().is_terminal() {
+        true => print(page.text()),
+        false => print(&page.coloured()),
+    }
 }
 
 /// Prints an answer for programs.

@@ -172,6 +172,53 @@ fn a_short_run_on_a_terminal_shows_no_line() {
     );
 }
 
+/// Red is for terminals that have colours, and for people who have not switched them off.
+#[test]
+fn missed_limits_are_red_on_a_terminal() {
+    let folder = scratch("red");
+    let path = folder.join("mine.json");
+    let models = Command::new(env!("CARGO_BIN_EXE_linkdyn"))
+        .args(["models", "four-bar"])
+        .output();
+    let mut model: serde_json::Value =
+        serde_json::from_slice(&models.expect("it runs").stdout).expect("JSON");
+    model["responses"] =
+        serde_json::json!({ "swing": { "value": "range(rocker.angle)", "limits": [0, 0.1] } });
+    fs::write(&path, model.to_string()).expect("written");
+    for (variable, value, is_red) in [
+        ("TERM", "xterm", true),
+        ("NO_COLOR", "", true),
+        ("NO_COLOR", "1", false),
+        ("TERM", "dumb", false),
+    ] {
+        let terminal = openpty(None, None).expect("a pseudo-terminal");
+        let mut child = Command::new(env!("CARGO_BIN_EXE_linkdyn"))
+            .arg("run")
+            .arg(&path)
+            .env("TERM", "xterm")
+            .env_remove("NO_COLOR")
+            .env(variable, value)
+            .stdin(Stdio::null())
+            .stdout(terminal.slave)
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("the binary runs");
+        let mut seen = String::new();
+        read(&mut File::from(terminal.master), &mut seen, |_| false);
+        assert!(child.wait().is_ok_and(|status| status.success()));
+        let line = seen.lines().find(|line| line.contains("swing"));
+        let line = line.expect("a response");
+        assert!(line.contains(", MISSED ("), "{line:?}");
+        assert_eq!(
+            line.starts_with("\u{1b}[31m  responses") && line.trim_end().ends_with("\u{1b}[0m"),
+            is_red,
+            "{variable}={value}: {line:?}"
+        );
+        assert_eq!(seen.matches('\u{1b}').count(), if is_red { 2 } else { 0 });
+    }
+    fs::remove_dir_all(folder).expect("removed");
+}
+
 #[test]
 fn people_are_told_where_messages_are_explained() {
     let (mut child, mut master) = spawn(&["run", "four-bar", "--set", "unit=1"]);

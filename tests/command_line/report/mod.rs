@@ -1,5 +1,6 @@
 //! `report.html`: what stands in the file, and what a browser makes of it.
 
+mod answers;
 mod curves;
 mod drawing;
 mod opened;

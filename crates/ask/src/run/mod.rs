@@ -15,6 +15,7 @@ use linkdyn_output::{Stage, Summary, Trajectory};
 use linkdyn_picture::{Report, Shape};
 
 use crate::shape::{with_loads, with_profiles};
+use crate::text::responses::for_page;
 use crate::{ModelFile, Question, Unanswered};
 pub use text::text;
 
@@ -147,7 +148,10 @@ impl<'a> Origin<'a> {
     /// Those of `out`.
     pub fn write_page(self, outcome: &Outcome, out: &mut impl Write) -> io::Result<()> {
         let (curves, complete) = (outcome.curves(), outcome.all_curves());
-        let summary = self.facts(outcome, &curves);
+        let summary = Summary {
+            responses: for_page(&outcome.responses, &self.model.display),
+            ..self.facts(outcome, &curves)
+        };
         let (derived, mut notes) = derived(self.model, &complete);
         if !outcome.peaks.is_empty() {
             notes.push(format!(

@@ -28,12 +28,10 @@ pub fn text(file: &ModelFile, outcome: &Outcome) -> Page {
         file.label(),
         status_words(report.status)
     ));
+    responses::answers(&mut page, &outcome.responses, &model.display);
     page.row("mobility", mobility(&report.mobility));
     page.row("outputs", outputs(trajectory));
     page.row("quality", quality(&report.quality));
-    let answers = outcome.responses.iter();
-    let answers = answers.map(|one| responses::told(one, &model.display));
-    page.rows("responses", answers);
     page.rows("equilibrium", report.equilibrium.iter().map(equilibrium));
     let contacts = report.clearances.iter().map(contacts);
     page.rows("contacts", shorten(contacts.collect()));

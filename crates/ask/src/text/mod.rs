@@ -5,6 +5,7 @@ pub mod words;
 
 use std::borrow::Cow;
 use std::fmt::{self, Write};
+use std::ops::Range;
 
 pub use linkdyn_model::display::number;
 
@@ -12,16 +13,30 @@ pub use linkdyn_model::display::number;
 const LABEL_WIDTH: usize = 14;
 /// Rows of a list before the rest is only counted.
 const MOST: usize = 8;
+/// What makes a terminal write in red, and as before (ECMA-48, select graphic rendition).
+const RED: &str = "\u{1b}[31m";
+const PLAIN: &str = "\u{1b}[0m";
 
 /// Lines that belong together.
 #[derive(Debug, Default)]
-pub struct Page(String);
+pub struct Page {
+    text: String,
+    /// Where lines stand that nobody should overlook.
+    alarms: Vec<Range<usize>>,
+}
 
 impl Page {
     /// Appends a line.
     pub fn line(&mut self, text: impl AsRef<str>) {
-        self.0.push_str(&plain(text.as_ref()));
-        self.0.push('\n');
+        self.text.push_str(&plain(text.as_ref()));
+        self.text.push('\n');
+    }
+
+    /// Makes the last line one that nobody should overlook.
+    pub fn alarm(&mut self) {
+        let end = self.text.trim_end_matches('\n').len();
+        let start = self.text[..end].rfind('\n').map_or(0, |at| at + 1);
+        self.alarms.push(start..end);
     }
 
     /// Appends a row with a label, or without, to go on with the row above.
@@ -38,13 +53,23 @@ impl Page {
 
     /// What there is so far.
     pub fn text(&self) -> &str {
-        &self.0
+        &self.text
+    }
+
+    /// The same for a terminal with colours.
+    pub fn coloured(&self) -> String {
+        let mut text = self.text.clone();
+        for Range { start, end } in self.alarms.iter().rev() {
+            text.insert_str(*end, PLAIN);
+            text.insert_str(*start, RED);
+        }
+        text
     }
 }
 
 impl fmt::Display for Page {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.text)
     }
 }
 
@@ -222,6 +247,24 @@ mod tests {
         assert_eq!(wrapped("a bc  def\nghij k", 6), ["a bc", "def", "ghij k"]);
         assert_eq!(wrapped("incomprehensible é", 4), ["incomprehensible", "é"]);
         assert_eq!(wrapped("", 4), [""]);
+    }
+
+    #[test]
+    fn a_line_that_nobody_should_overlook_is_red_where_there_are_colours() {
+        let mut page = Page::default();
+        for text in ["a", "\u{1b}[31mb", "c"] {
+            page.row("", text);
+            if text != "a" {
+                page.alarm();
+            }
+        }
+        let coloured = page.coloured();
+        let lines: Vec<&str> = coloured.lines().map(str::trim_start).collect();
+        assert_eq!(lines[0], "a");
+        assert!(
+            lines[1].starts_with("\u{1b}[31m  ") && lines[1].ends_with("\\u{1b}[31mb\u{1b}[0m")
+        );
+        assert!(lines[2].ends_with("c\u{1b}[0m") && !page.text().contains('\u{1b}'));
     }
 
     #[test]

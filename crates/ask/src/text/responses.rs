@@ -1,11 +1,12 @@
 //! Responses in words.
 
 use indexmap::IndexMap;
-use linkdyn_engine::analysis::responses::Answer;
+use linkdyn_engine::analysis::responses::{Answer, to_json};
 use linkdyn_model::Model;
 use linkdyn_model::display::{DIGITS, DisplayUnits};
 use linkdyn_model::response::Catalogue;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::words::unit_words;
 use super::{Page, number};
@@ -22,27 +23,75 @@ pub fn value(value: f64, unit: &str, display: &DisplayUnits) -> String {
     }
 }
 
-/// `stroke = 100 mm`, with its limits, or why there is none.
-pub fn told(answer: &Answer, display: &DisplayUnits) -> String {
-    let shown = |value: f64| match (&answer.shown, answer.unit.as_str()) {
-        (Some((unit, size)), _) => format!("{} {}", number(value / size, DIGITS), unit_words(unit)),
-        (None, unit) => self::value(value, unit, display),
+/// Whether it has limits, and no value within them.
+pub fn is_missed(answer: &Answer) -> bool {
+    let is_within = |[lower, upper]: [f64; 2]| {
+        let value = answer.value;
+        value.is_some_and(|value| (lower..=upper).contains(&value))
     };
-    let name = &answer.name;
+    answer.limits.is_some_and(|limits| !is_within(limits))
+}
+
+/// Its numbers as people read them: in the unit that the model declares for it, else in the units of the file.
+fn shown(answer: &Answer, value: f64, display: &DisplayUnits) -> String {
+    match &answer.shown {
+        Some((unit, size)) => format!("{} {}", number(value / size, DIGITS), unit_words(unit)),
+        None => self::value(value, &answer.unit, display),
+    }
+}
+
+/// `stroke = 100 mm`, with its limits, or why there is none; `MISSED` where it has limits and does not keep them.
+fn told(answer: &Answer, display: &DisplayUnits) -> String {
+    let shown = |value: f64| shown(answer, value, display);
+    let Answer { name, reason, .. } = answer;
+    let missed = match is_missed(answer) {
+        true => ", MISSED",
+        false => "",
+    };
     let Some(value) = answer.value else {
-        return format!(
-            "{name}: none, {}",
-            answer.reason.as_deref().unwrap_or("it has no value")
-        );
+        let reason = reason.as_deref().unwrap_or("it has no value");
+        return format!("{name}: none{missed}, {reason}");
     };
     let limits = answer.limits.map(|[lower, upper]| {
-        let where_it_is = match (lower..=upper).contains(&value) {
-            true => "within",
-            false => "outside of",
+        let where_it_is = match is_missed(answer) {
+            true => "outside of",
+            false => "within",
         };
         format!(" ({where_it_is} {} … {})", shown(lower), shown(upper))
     });
-    format!("{name} = {}{}", shown(value), limits.unwrap_or_default())
+    format!(
+        "{name} = {}{missed}{}",
+        shown(value),
+        limits.unwrap_or_default()
+    )
+}
+
+/// A row for each response; one that misses its limits is not to be overlooked.
+pub fn answers(page: &mut Page, answers: &[Answer], display: &DisplayUnits) {
+    for (index, answer) in answers.iter().enumerate() {
+        page.row(
+            if index == 0 { "responses" } else { "" },
+            told(answer, display),
+        );
+        if is_missed(answer) {
+            page.alarm();
+        }
+    }
+}
+
+/// The responses of a run as its page has them: as `summary.json`, with the words for their numbers.
+pub fn for_page(answers: &[Answer], display: &DisplayUnits) -> Value {
+    let mut json = to_json(answers);
+    for answer in answers {
+        let shown = |value: f64| shown(answer, value, display);
+        json[&answer.name]["words"] = json!({
+            "value": answer.value.map(shown),
+            "limits": answer.limits.map(|ends| ends.map(shown)),
+            "declared": answer.shown.is_some(),
+            "missed": is_missed(answer),
+        });
+    }
+    json
 }
 
 /// A response that a model asks for.

@@ -32,6 +32,7 @@ pub const SCRIPTS: &[&str] = &[
     include_str!("js/plots.js"),
     include_str!("js/hits.js"),
     include_str!("js/headline.js"),
+    include_str!("js/answers.js"),
     include_str!("js/tables.js"),
     include_str!("js/diagnosis.js"),
     include_str!("js/head.js"),

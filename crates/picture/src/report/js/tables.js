@@ -18,16 +18,6 @@
   }));
   if (headline.list.length) table("In short").append(scroll({ id: "short" }, heads("quantity", ["value"], ["at"]), first));
 
-  // The responses of the model.
-  const answers = Object.entries(linkdyn.summary.responses || {});
-  const answered = element("tbody");
-  const respond = () => answered.replaceChildren(...answers.map(([of, { value, unit, limits, reason }]) => {
-    const text = value === null ? `none, ${reason}` : units.quantity(value, unit || "1", 6);
-    const within = limits ? `${value === null ? "" : value < limits[0] || value > limits[1] ? "outside of " : "within "}${limits.map((limit) => units.quantity(limit, unit || "1", 4)).join(" … ")}` : "";
-    return row(element("td", {}, name(of)), number(text), number(within));
-  }));
-  if (answers.length) table("Responses").append(scroll({ id: "responses" }, heads("response", ["value"], ["limits"]), answered));
-
   // Poses at the instant shown.
   const poses = mechanism.bodies.slice(1, 41).map((body) => ({ name: body.name, of: ["x", "y", "angle"].map((q) => column(`${body.name}.${q}`)) })).filter(({ of }) => of.every((found) => found && found.wanted));
   const cells = [];
@@ -82,9 +72,8 @@
   let seen = true;
   if (cells.length) new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; if (seen) values(); }).observe(id("poses"));
   player.onRow(() => { if (seen || !player.playing) values(); });
-  units.onChange(() => { short(); respond(); values(); if (filled) fill(); });
+  units.onChange(() => { short(); values(); if (filled) fill(); });
   short();
-  respond();
   values();
   Object.assign(linkdyn.tables, { table, jump });
 })();
