@@ -71,6 +71,16 @@ pub enum Failure {
 pub use Failure::BadInput;
 
 impl Failure {
+    /// The lines to tell.
+    pub fn lines(&self) -> &[String] {
+        match self {
+            Failure::BadInput(lines) => lines,
+            Failure::Stopped(line) | Failure::Unwritten(line) | Failure::Broken(line) => {
+                std::slice::from_ref(line)
+            }
+        }
+    }
+
     /// What it is for the process, and the lines to tell.
     pub fn parts(self) -> (Exit, Vec<String>) {
         match self {

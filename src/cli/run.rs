@@ -91,9 +91,12 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         };
         let live = match &mut live {
             Some(live) => live,
-            // Its directory is there since the run has written into it.
-            none => none.insert(Live::new(Directory::open(path)?)),
+            none => none.insert(Live::new(Directory::open(path)?)?),
         };
+        if let Err(failure) = &ran {
+            live.tell(failure.lines())?;
+        }
+        let exit = ran?;
         let page = live.show()?;
         Ok((exit, format!("; {page} shows the report of each run")))
     })
@@ -146,16 +149,16 @@ fn once(options: &Options) -> Result<Exit, Failure> {
     let exit = Exit::from(status);
     if exit != Exit::Done {
         complain(outcome.report.message.as_deref().unwrap_or(status.word()));
-    }
-    complain(&format!("limits are missed: {}", names(&missed)));
-    Ok(Exit::Missed)
-}
         return Ok(exit);
     }
     let missed = outcome.responses.iter().filter(|one| is_missed(one));
     let missed: Vec<String> = missed.map(|one| one.name.clone()).collect();
     if !options.strict || missed.is_empty() {
         return Ok(Exit::Done);
+    }
+    complain(&format!("limits are missed: {}", names(&missed)));
+    Ok(Exit::Missed)
+}
 
 /// The run in words, with what was written and how long that took.
 fn page(file: &ModelFile, outcome: &Outcome, written: &Written) -> Page {

@@ -4,6 +4,9 @@
 mod browser;
 #[path = "../common/long.rs"]
 mod long;
+#[cfg(unix)]
+#[path = "../common/tab.rs"]
+mod tab;
 
 mod accuracy;
 mod book;
@@ -14,6 +17,8 @@ mod figures;
 #[cfg(target_os = "linux")]
 mod full_disk;
 mod fuzz_finds;
+#[cfg(unix)]
+mod live;
 mod mistakes;
 mod optimise;
 mod peaks;

@@ -57,7 +57,7 @@ pub fn find() -> Option<PathBuf> {
 }
 
 /// The browser, ready to open a file, with a profile of its own in a folder.
-fn command(browser: &Path, folder: &Path) -> Command {
+pub fn command(browser: &Path, folder: &Path) -> Command {
     let mut command = Command::new(browser);
     command.args([
         "--headless",

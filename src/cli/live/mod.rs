@@ -2,7 +2,9 @@
 //!
 //! The report itself can't: it allows no script but its own, and a page from a disk may not read files.
 
+use linkdyn_ask::text::plain;
 use linkdyn_output::{Directory, WriteError};
+use serde_json::json;
 
 const PAGE: &str = include_str!("page.html");
 const NAME: &str = "live.html";
@@ -18,8 +20,12 @@ pub struct Live {
 
 impl Live {
     /// Begins with no run.
-    pub fn new(directory: Directory) -> Self {
-        Live { directory, runs: 0 }
+    ///
+    /// # Errors
+    /// When the page can't be written.
+    pub fn new(directory: Directory) -> Result<Self, WriteError> {
+        directory.write(NAME, PAGE.as_bytes())?;
+        Ok(Live { directory, runs: 0 })
     }
 
     /// Lets the page show the report that was written just now; the page's path.
@@ -30,11 +36,18 @@ impl Live {
         self.runs += 1;
         let number = format!("run({})\n", self.runs);
         self.directory.write(NUMBER, number.as_bytes())?;
-        let page = self.directory.path().join(NAME);
-        if self.runs == 1 {
-            self.directory.write(NAME, PAGE.as_bytes())?;
-        }
-        Ok(page.display().to_string())
+        Ok(self.directory.path().join(NAME).display().to_string())
+    }
+
+    /// Lets the page say what is wrong, above the report of the run before.
+    ///
+    /// # Errors
+    /// When a file can't be written.
+    pub fn tell(&self, faults: &[String]) -> Result<(), WriteError> {
+        let said: Vec<_> = faults.iter().map(|line| plain(line)).collect();
+        let number = format!("run({}, {})\n", self.runs, json!(said));
+        self.directory.write(NUMBER, number.as_bytes())?;
+        Ok(())
     }
 }
 

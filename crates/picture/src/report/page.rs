@@ -41,6 +41,7 @@ pub const SCRIPTS: &[&str] = &[
     include_str!("js/export.js"),
     include_str!("js/transport.js"),
     include_str!("js/drawer.js"),
+    include_str!("js/kept.js"),
     include_str!("js/keys.js"),
 ];
 

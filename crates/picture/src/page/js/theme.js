@@ -11,6 +11,8 @@
   const choose = (name) => { chosen = name; settle(); };
   linkdyn.theme = {
     get dark() { return !paper && (chosen ? chosen === "dark" : system.matches); },
+    get chosen() { return chosen; },
+    set chosen(name) { choose(name); },
     toggle: () => choose(linkdyn.theme.dark ? "light" : "dark"),
     // While printing, and for pictures that are exported.
     set paper(on) { paper = on; settle(); },

@@ -8,7 +8,7 @@
   const show = { bodies: small, joints: small && mechanism.joints.length <= 14, points: false, centres: false, drivers: true };
   const options = { show, arrows: false, loads: true, arrowScale: 0, follow: null, traces: new Set(mechanism.points.map(String)) };
   const TRACE_DASHES = [[], [7, 4], [2, 3], [10, 3, 2, 3]];
-  let width = 0, height = 0, colours = null, wanted = false;
+  let width = 0, height = 0, colours = null, wanted = false, own = false;
   const view = { x: 0, y: 0, scale: 1 };
 
   // Half the width of a body [px].
@@ -18,6 +18,7 @@
   // What the ruler and the legends of arrows take, and in bars how far the sign of the ground reaches below its pin.
   const FOOT = 38, SUPPORT = 3.6;
   const whole = () => {
+    own = false;
     const [left, right, bottom, top] = given.drawing.box, part = Math.min(1, width / 420, height / 260);
     const room = Object.fromEntries(Object.entries(ROOM).map(([side, size]) => [side, size * part]));
     room.bottom = Math.max(room.bottom, FOOT + SUPPORT * barOf(width, height));
@@ -131,7 +132,8 @@
     size = [width, height, ratio, paper].join(" ");
     if (size === before) return;
     drawing.prepare(canvas, width, height);
-    whole();
+    // The part that the reader has chosen stays.
+    if (paper || !own) whole();
     paint();
   };
 
@@ -139,6 +141,7 @@
     const [dx, dy] = [(x - width / 2) / view.scale, (height / 2 - y) / view.scale];
     view.x += dx * (1 - 1 / by); view.y += dy * (1 - 1 / by);
     view.scale *= by;
+    own = true;
     draw();
   };
 
@@ -157,6 +160,7 @@
       if (far(before) > 10) zoom(far(now) / far(before));
     } else if (!options.follow) {
       view.x -= (now[0] - before[0]) / view.scale; view.y += (now[1] - before[1]) / view.scale;
+      own = true;
       draw();
     }
     fingers.set(event.pointerId, now);
@@ -175,6 +179,9 @@
     options, draw, paint, zoom, resize, picture, whole: () => { whole(); draw(); },
     recolour: () => { colours = null; paint(); },
     hasForces: forces.hasJoints,
+    // The part of the plane that the reader has chosen, if so: its middle, and pixels per metre.
+    get view() { return own ? [view.x, view.y, view.scale] : null; },
+    set view([x, y, scale]) { Object.assign(view, { x, y, scale }); own = true; draw(); },
     get labels() { return drawn; },
     get size() { return { width, height }; },
     get bar() { return barOf(width, height); },

@@ -1,0 +1,55 @@
+"use strict";
+// What a reader has chosen survives a new run: the page that shows the report of each run asks for it, and gives it to the next report
+// in its address. Names that are not there any more are left out.
+(() => {
+  const { player, plots, stage, units, theme, byName, time, id } = linkdyn;
+  const MOST = 60;
+  const inputs = () => [...id("side").querySelectorAll("input, select")];
+  const finite = (list, count) => Array.isArray(list) && list.length === count && list.every(Number.isFinite);
+
+  // What a page shows that nobody has touched is not kept: the next run may have better to offer.
+  const chosen = {
+    plots: () => plots.list.map(({ columns, across, equal }) => [columns.map(({ name }) => name), across && across.name, equal]),
+    drawer: () => inputs().map((input) => input.type === "checkbox" ? input.checked : input.value),
+    instant: () => time[player.row],
+    over: () => id("abscissa").selectedIndex,
+  };
+  const untouched = Object.fromEntries(Object.entries(chosen).map(([key, of]) => [key, JSON.stringify(of())]));
+  const touched = () => Object.entries(chosen).map(([key, of]) => [key, of()]).filter(([key, now]) => JSON.stringify(now) !== untouched[key]);
+  const state = () => ({
+    ...Object.fromEntries(touched()), units: units.system, theme: theme.chosen, cut: plots.cut, zoom: plots.zoom,
+    view: stage.view, speed: player.speed, playing: player.playing, scroll: scrollY,
+  });
+
+  // As if the reader did it.
+  const set = (input, key, value, event = "change") => { if (input[key] !== value && !input.disabled) { input[key] = value; input.dispatchEvent(new Event(event)); } };
+  const restore = (kept) => {
+    if (["light", "dark"].includes(kept.theme)) theme.chosen = kept.theme;
+    if (kept.units === "si") set(id("units"), "value", "si");
+    if (kept.over < id("abscissa").length) set(id("abscissa"), "selectedIndex", kept.over);
+    set(id("cut"), "checked", kept.cut !== false);
+    if (Array.isArray(kept.plots)) {
+      [...plots.list].forEach(plots.remove);
+      for (const [names, across, equal] of kept.plots.slice(0, MOST)) {
+        const columns = names.map((name) => byName.get(name)).filter(Boolean);
+        if (columns.length && (!across || byName.has(across))) plots.put(columns, { across: across ? byName.get(across) : null, equal: Boolean(equal) });
+      }
+    }
+    if (finite(kept.zoom, 2)) plots.setZoom(kept.zoom);
+    const all = inputs();
+    if (Array.isArray(kept.drawer) && kept.drawer.length === all.length) {
+      all.forEach((input, k) => set(input, input.type === "checkbox" ? "checked" : "value", kept.drawer[k], input.type === "range" ? "input" : "change"));
+    }
+    if (finite(kept.view, 3)) stage.view = kept.view;
+    if (kept.speed !== 1) set(id("speed"), "value", String(kept.speed));
+    if (Number.isFinite(kept.instant)) player.seek(player.nearest(kept.instant));
+    if (kept.playing === true) player.play();
+    if (kept.scroll > 0) scrollTo(0, kept.scroll);
+  };
+  const found = /^#kept=(.+)$/.exec(location.hash);
+  if (found) try { restore(JSON.parse(decodeURIComponent(found[1]))); } catch (why) { console.info(`not all is kept: ${why.message}`); }
+
+  if (parent !== window) addEventListener("message", ({ source, data }) => {
+    if (source === parent && data === "linkdyn: what is chosen?") source.postMessage({ chosen: JSON.stringify(state()) }, "*");
+  });
+})();
