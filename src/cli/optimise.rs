@@ -8,12 +8,13 @@ use super::exit::{Exit, Failure};
 use super::open::ModelOptions;
 use super::progress::Line;
 use super::streams::{complain, json, tell, tell_json};
-use super::{interrupt, threads};
+use super::{interrupt, replaced, threads};
 use linkdyn_ask::optimise::Optimise;
 use linkdyn_output::{Directory, replace};
 
 const DOCUMENT: &str = "optimise.json";
 const TABLE: &str = "evaluations.csv";
+const PAGE: &str = "report.html";
 
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
@@ -54,7 +55,7 @@ pub struct Options {
     /// Print optimise.json instead of the summary for people
     #[arg(long)]
     json: bool,
-    /// Write optimise.json and evaluations.csv into this directory (made where missing)
+    /// Write optimise.json, evaluations.csv and the page report.html into this directory (made where missing)
     #[arg(short = 'o', long = "output", value_name = "DIR")]
     directory: Option<PathBuf>,
 }
@@ -92,6 +93,8 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
     if let Some(directory) = &directory {
         written.push(directory.write(DOCUMENT, json(&found)?.as_bytes())?);
         written.push(directory.write(TABLE, found.table().as_bytes())?);
+        replaced::tell(directory.path(), "optimise", "replaced");
+        written.push(directory.write(PAGE, found.html().as_bytes())?);
     }
     if let Some(path) = &options.write
         && let Some(best) = found.model().map_err(|why| model.refuse(why))?

@@ -9,10 +9,11 @@ use super::streams::remark;
 /// The title stands within so many bytes.
 const HEAD: u64 = 4096;
 /// What each command's page is called, and the command.
-const PAGES: [(&str, &str); 3] = [
+const PAGES: [(&str, &str); 4] = [
     ("<title>linkdyn report</title>", "run"),
     ("<title>linkdyn accuracy</title>", "accuracy"),
     ("<title>linkdyn study</title>", "study"),
+    ("<title>linkdyn optimum</title>", "optimise"),
 ];
 
 /// Says on standard error that `command` replaces or removes (`does`) the page of another one.

@@ -1,11 +1,12 @@
 //! The shape of a model as it is drawn: with the profiles of its cams, and what its loads are over time.
 
-use linkdyn_engine::analysis::derived;
+use linkdyn_engine::analysis::{Outcome, derived};
 use linkdyn_engine::system::compile::profiles;
 use linkdyn_model::Checked;
 use linkdyn_output::{BodyQuantity, Channel, Column, TIME, Table, Trajectory};
 use linkdyn_picture::Shape;
 use linkdyn_picture::poses::Pose;
+use linkdyn_picture::study_page::Motion;
 
 /// The shape of a model, with the profiles of its cams.
 pub fn with_profiles(model: &Checked) -> Shape {
@@ -71,4 +72,31 @@ fn columns(bodies: impl Iterator<Item = String>) -> Vec<Column> {
         columns.extend(quantities.map(column));
     }
     columns
+}
+
+/// What a run of the model has of a motion, by the number of its variant; `None` if it has no position.
+pub(crate) fn moving(variant: Option<u64>, model: &Checked, outcome: &Outcome) -> Option<Motion> {
+    let shape = with_profiles(model);
+    let (times, poses) = instants(outcome, &shape)?;
+    Some(Motion {
+        variant,
+        shape,
+        times,
+        poses,
+    })
+}
+
+/// Times, and x, y and angle of all moving bodies at each.
+fn instants(outcome: &Outcome, shape: &Shape) -> Option<(Vec<f64>, Vec<f64>)> {
+    let table = outcome.all();
+    let times = table.values(TIME)?;
+    let bodies = shape.bodies.iter().skip(1);
+    let names =
+        bodies.flat_map(|body| ["x", "y", "angle"].map(|axis| format!("{}.{axis}", body.name)));
+    let places: Option<Vec<usize>> = names.map(|name| table.column_index(&name)).collect();
+    let places = places?;
+    let rows = table.rows();
+    let poses = rows.flat_map(|row| places.iter().map(|&place| row[place]));
+    let poses: Vec<f64> = poses.collect();
+    (!times.is_empty() && !places.is_empty()).then_some((times, poses))
 }

@@ -244,7 +244,8 @@ mod tests {
             .chain(crate::study_page::SCRIPTS);
         let own = own
             .chain(crate::accuracy_page::SCRIPTS)
-            .chain(crate::compare_page::SCRIPTS);
+            .chain(crate::compare_page::SCRIPTS)
+            .chain(crate::optimise_page::SCRIPTS);
         let rules = [PLOT_LIBRARY, PLOT_STYLE, STYLE];
         for text in shared.chain(own).chain(&rules) {
             assert!(can_stand_in_a_page(text), "{text:.200}");

@@ -27,6 +27,7 @@
 //! | `report`    | shape, summary and results → `report.html`                      |
 //! | `accuracy_page` | levels, contributions, worst configurations → `report.html` of accuracy |
 //! | `compare_page` | several runs over each other → `compare.html`                |
+//! | `optimise_page` | before and after, history, limits → `report.html` of optimise |
 //! | `study_page` | what was varied, what came of it, motions of variants → `report.html` of study |
 //! | `validate_page` | claims of validation cases → pages                          |
 //! | `numbers`   | numbers of a page as compact text                               |
@@ -46,6 +47,7 @@ pub mod diagnosis;
 pub mod film;
 pub mod font;
 pub mod mechanism;
+pub mod optimise_page;
 pub mod palette;
 pub mod poses;
 pub mod raster;
@@ -77,6 +79,7 @@ pub use cut::Cut;
 pub use fault::{Fault, MOST_CURVES, MOST_FILM_PIXELS, MOST_PIXELS};
 pub use layout::{MovingChart, Side};
 pub use mechanism::Mechanism;
+pub use optimise_page::OptimisePage;
 pub use report::Report;
 pub use scene::{POINTS_PER_MM, Scene};
 pub use shape::Shape;

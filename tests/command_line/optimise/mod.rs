@@ -1,5 +1,6 @@
 //! `linkdyn optimise`: closed forms, paths of known linkages, what it says where there is nothing to find, and what it refuses.
 
+mod page;
 mod paths;
 mod refused;
 mod rest;

@@ -216,9 +216,9 @@ impl Optimised {
                 residuals: &measured.distances,
             }),
             responses: responses
-                .map(|((name, unit), value)| {
-                    let value = value.is_finite().then_some(*value);
-                    (name.as_str(), Response { value, unit })
+                .map(|(own, value)| {
+                    let (value, unit) = (value.is_finite().then_some(*value), &own.unit);
+                    (own.name.as_str(), Response { value, unit })
                 })
                 .collect(),
             slope: best.slope,

@@ -14,12 +14,16 @@
 //! | `optimised` | what they come to                                                     |
 //! | `json`      | the same for programs                                                 |
 //! | `text`      | the same in words                                                     |
+//! | `page`      | the same as a page                                                    |
+//! | `history`   | how the search went                                                   |
 
 mod asked;
 mod derivatives;
 mod guarded;
+mod history;
 mod json;
 mod optimised;
+mod page;
 mod path;
 mod problem;
 mod search;
@@ -119,9 +123,11 @@ impl Optimisation {
             scales: Vec::new(),
             keep: is_kept,
         };
-        let missing = match search.as_it_is()? {
-            Found::None(why) => Some(why),
-            Found::Some(_) | Found::Stopped => None,
+        let before = match search.as_it_is()? {
+            Found::Some(measured) => Ok(measured),
+            Found::None(why) => Err(why),
+            // Nobody asks why.
+            Found::Stopped => Err(String::new()),
         };
         let ended = search.run(&self.control.progress)?;
         let scales = search.scales;
@@ -130,7 +136,7 @@ impl Optimisation {
             self.target,
             ended,
             scales,
-            missing,
+            before,
         ))
     }
 }

@@ -39,8 +39,8 @@ pub struct Optimised {
     /// Runs of all starts.
     pub(super) runs: u64,
     scales: Vec<f64>,
-    /// Why the model as it is has no result.
-    pub(super) missing: Option<String>,
+    /// What the model comes to as it is, or why it has no result.
+    pub(super) before: Result<Measured, String>,
 }
 
 impl Optimised {
@@ -50,7 +50,7 @@ impl Optimised {
         target: Target,
         mut starts: Vec<Ended>,
         scales: Vec<f64>,
-        missing: Option<String>,
+        before: Result<Measured, String>,
     ) -> Self {
         starts.sort_by(|a, b| {
             let off = |own: &Ended| {
@@ -73,7 +73,7 @@ impl Optimised {
             runs: starts.iter().map(|own| own.runs).sum(),
             scales,
             starts,
-            missing,
+            before,
         };
         let numbers = 0..all.starts.len();
         let same: Vec<usize> = numbers
@@ -145,14 +145,24 @@ impl Optimised {
     }
 
     /// Whether a constraint is kept, and whether it stands at its limit.
-    pub(super) fn state(&self, k: usize, [left, right]: [f64; 2]) -> (bool, bool) {
-        let off = (left - right) / self.scales[k];
-        let violation = match self.target.constraints[k].relation {
+    pub(super) fn state(&self, k: usize, sides: [f64; 2]) -> (bool, bool) {
+        let off = self.off(k, sides[0] - sides[1]);
+        (self.violation(k, sides) <= KEPT, off.abs() <= ACTIVE)
+    }
+
+    /// A difference of the sides of a constraint, by their size.
+    pub(super) fn off(&self, k: usize, difference: f64) -> f64 {
+        difference / self.scales[k]
+    }
+
+    /// How far a constraint is not kept, by the size of its sides; below zero where it is.
+    pub(super) fn violation(&self, k: usize, [left, right]: [f64; 2]) -> f64 {
+        let off = self.off(k, left - right);
+        match self.target.constraints[k].relation {
             Relation::Equal => off.abs(),
             Relation::AtMost => off,
             Relation::AtLeast => -off,
-        };
-        (violation <= KEPT, off.abs() <= ACTIVE)
+        }
     }
 
     /// Whether it was interrupted.
@@ -208,9 +218,11 @@ impl Optimised {
         Some(match (self.status(), self.target.aim) {
             ("found", _) => return None,
             ("interrupted", _) => "interrupted: this is the best so far".to_owned(),
-            ("no_values", _) => match &self.missing {
-                Some(why) => format!("no variant has a result; the model as it is: {why}"),
-                None => "no variant has a result".to_owned(),
+            ("no_values", _) => match &self.before {
+                Err(why) if !why.is_empty() => {
+                    format!("no variant has a result; the model as it is: {why}")
+                }
+                Ok(_) | Err(_) => "no variant has a result".to_owned(),
             },
             (_, Aim::Goal) => "the goal is not reached; this is the nearest".to_owned(),
             (_, Aim::Goals) => "not all goals are reached; these are the nearest".to_owned(),
@@ -241,12 +253,17 @@ impl Optimised {
         let Some((best, _)) = self.found() else {
             return Ok(None);
         };
-        let all = self.target.variables.iter().zip(&best.x);
+        self.at(&best.x).map(Some)
+    }
+
+    /// The model with these values, or as it is where there are none.
+    pub(super) fn at(&self, x: &[f64]) -> Result<ModelFile, Unanswered> {
+        let all = self.target.variables.iter().zip(x);
         let sets =
             all.map(|(own, x)| format!("parameters.{}={}", own.parameter.name, said(own, *x)));
         let sets = self.file.sets.iter().cloned().chain(sets).collect();
         let with = ModelFile::read(self.file.text.clone(), sets);
-        Ok(Some(with.map_err(|said| self.file.refused(said))?))
+        with.map_err(|said| self.file.refused(said))
     }
 }
 

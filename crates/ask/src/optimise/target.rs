@@ -50,6 +50,16 @@ pub struct Robust {
     pub scatter: Vec<(String, f64)>,
 }
 
+/// A response of the model.
+#[derive(Debug, Clone)]
+pub struct Told {
+    pub name: String,
+    /// SI unit; empty of a plain number.
+    pub unit: String,
+    /// The unit in which it is shown, with its size in SI.
+    pub shown: Option<(String, f64)>,
+}
+
 /// Which kind of search it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Aim {
@@ -76,8 +86,8 @@ pub struct Target {
     pub robust: Option<Robust>,
     pub starts: u64,
     pub seed: u64,
-    /// The model's own responses: name, unit.
-    pub responses: Vec<(String, String)>,
+    /// The model's own responses.
+    pub responses: Vec<Told>,
 }
 
 /// The name of the number that an expression of the search gives.
@@ -146,7 +156,11 @@ impl Target {
             starts: asked.starts.unwrap_or(STARTS),
             seed: asked.seed.unwrap_or(SEED),
             responses: own
-                .map(|one| (one.name.clone(), one.unit.clone()))
+                .map(|one| Told {
+                    name: one.name.clone(),
+                    unit: one.unit.clone(),
+                    shown: one.shown.clone(),
+                })
                 .collect(),
         };
         target.check()?;

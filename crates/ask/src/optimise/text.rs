@@ -6,8 +6,8 @@ use linkdyn_model::optimise::Relation;
 use super::optimised::Optimised;
 use super::problem::Measured;
 use super::search::Ended;
-use super::target::Aim;
-use crate::text::responses::value;
+use super::target::{Aim, Told};
+use crate::text::responses::{value, value_in};
 use crate::text::{Page, count, number};
 
 /// Digits of shares and slopes.
@@ -34,8 +34,8 @@ impl Optimised {
             page.rows("design", design);
             aims(&mut page, self, best, measured, display);
             let responses = target.responses.iter().zip(&measured.responses);
-            let told_of = |((name, unit), own): (&(String, String), &f64)| match own.is_finite() {
-                true => format!("{name} = {}", value(*own, unit, display)),
+            let told_of = |(Told { name, unit, shown }, own): (&Told, &f64)| match own.is_finite() {
+                true => format!("{name} = {}", value_in(shown.as_ref(), *own, unit, display)),
                 false => format!("{name}: none"),
             };
             page.rows("responses", responses.map(told_of));
@@ -52,7 +52,7 @@ impl Optimised {
 }
 
 /// How it ended.
-fn verdict(told: &Optimised) -> String {
+pub(super) fn verdict(told: &Optimised) -> String {
     let target = &told.target;
     let what = match (&target.objective, &target.curve) {
         (Some(aimed), _) if aimed.sign > 0.0 => format!("least {}", aimed.text),

@@ -3,16 +3,15 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use linkdyn_engine::analysis::{self, Control, Outcome};
+use linkdyn_engine::analysis::{self, Control};
 use linkdyn_model::Checked;
-use linkdyn_output::TIME;
 use linkdyn_picture::Shape;
 use linkdyn_picture::study_page::{Motion, Played, Variant, most_motions};
 use rayon::prelude::*;
 
 use super::Variants;
 use crate::broken::caught;
-use crate::shape::with_profiles;
+use crate::shape::moving;
 
 impl Variants {
     /// The motions of the nominal mechanism and of some of these variants: all where there are few, else those with the smallest
@@ -50,29 +49,7 @@ fn motion(variant: Option<u64>, model: &Checked, control: &Control) -> Option<Mo
         ..Control::default()
     };
     let outcome = analysis::run(model, &control).ok()?;
-    let shape = with_profiles(model);
-    let (times, poses) = instants(&outcome, &shape)?;
-    Some(Motion {
-        variant,
-        shape,
-        times,
-        poses,
-    })
-}
-
-/// Times, and x, y and angle of all moving bodies at each.
-fn instants(outcome: &Outcome, shape: &Shape) -> Option<(Vec<f64>, Vec<f64>)> {
-    let table = outcome.all();
-    let times = table.values(TIME)?;
-    let bodies = shape.bodies.iter().skip(1);
-    let names =
-        bodies.flat_map(|body| ["x", "y", "angle"].map(|axis| format!("{}.{axis}", body.name)));
-    let places: Option<Vec<usize>> = names.map(|name| table.column_index(&name)).collect();
-    let places = places?;
-    let rows = table.rows();
-    let poses = rows.flat_map(|row| places.iter().map(|&place| row[place]));
-    let poses: Vec<f64> = poses.collect();
-    (!times.is_empty() && !places.is_empty()).then_some((times, poses))
+    moving(variant, model, &outcome)
 }
 
 /// Which rows, in their order.

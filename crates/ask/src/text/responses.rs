@@ -32,12 +32,21 @@ pub fn is_missed(answer: &Answer) -> bool {
     answer.limits.is_some_and(|limits| !is_within(limits))
 }
 
-/// Its numbers as people read them: in the unit that the model declares for it, else in the units of the file.
-fn shown(answer: &Answer, value: f64, display: &DisplayUnits) -> String {
-    match &answer.shown {
+/// A value in the unit that the model declares for it, else in the units of the file.
+pub fn value_in(
+    shown: Option<&(String, f64)>,
+    value: f64,
+    unit: &str,
+    display: &DisplayUnits,
+) -> String {
+    match shown {
         Some((unit, size)) => format!("{} {}", number(value / size, DIGITS), unit_words(unit)),
-        None => self::value(value, &answer.unit, display),
+        None => self::value(value, unit, display),
     }
+}
+
+fn shown(answer: &Answer, value: f64, display: &DisplayUnits) -> String {
+    value_in(answer.shown.as_ref(), value, &answer.unit, display)
 }
 
 /// `stroke = 100 mm`, with its limits, or why there is none; `MISSED` where it has limits and does not keep them.

@@ -18,6 +18,7 @@ mod values;
 
 pub use parts::{Motion, Played, StudyPage, Variable, Variant};
 pub use room::{most_motions, most_rows};
+pub(crate) use values::Values;
 
 #[cfg(test)]
 pub(crate) use page::SCRIPTS;

@@ -78,7 +78,7 @@ pub struct Motion {
 
 impl Motion {
     /// The mechanism and its drawing.
-    pub(super) fn drawn(&self) -> [Value; 2] {
+    pub(crate) fn drawn(&self) -> [Value; 2] {
         let moving = self.shape.bodies.len().saturating_sub(1);
         let pose = |instant: &[f64]| {
             let moving = instant.as_chunks::<3>().0.iter().copied();
