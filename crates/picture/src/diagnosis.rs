@@ -293,7 +293,49 @@ fn write(scene: &mut Scene, class: &'static str, [x, y]: Place, text: String, in
     });
 }
 
-/// Labels that do not cover each other, nor pins.
+/// Half the room of a load's arrow, and how far its places are apart \[pt\].
+const LOAD: f64 = 3.0;
+const STEP: f64 = 5.0;
+
+/// Places along the arrow of a load, and in its value.
+fn along_load(item: &Item) -> Vec<Place> {
+    let between = |[from, to]: [Place; 2]| {
+        let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / STEP)
+            .ceil()
+            .max(1.0);
+        (0..=steps as usize).map(move |k| {
+            let part = k as f64 / steps;
+            [0, 1].map(|axis| from[axis] + part * (to[axis] - from[axis]))
+        })
+    };
+    match item {
+        Item::Line { class, places, .. } | Item::Area { class, places, .. } if *class == "load" => {
+            places.array_windows().copied().flat_map(between).collect()
+        }
+        Item::Label {
+            class,
+            at: [x, y],
+            runs,
+            size,
+            anchor,
+            ..
+        } if *class == "load-value" => {
+            let wide: f64 = runs.iter().map(|run| font::width(&run.text, *size)).sum();
+            let left = match anchor {
+                Anchor::Start => *x,
+                Anchor::Middle => x - wide / 2.0,
+                Anchor::End => x - wide,
+            };
+            let y = y - 0.35 * size;
+            between([[left, y], [left + wide, y]]).collect()
+        }
+        Item::Line { .. } | Item::Area { .. } | Item::Circle { .. } | Item::Label { .. } => {
+            Vec::new()
+        }
+    }
+}
+
+/// Labels that do not cover each other, nor pins and loads.
 struct Labels {
     /// Left, top, right, bottom.
     taken: Vec<[f64; 4]>,
@@ -304,10 +346,11 @@ impl Labels {
     fn new(scene: &Scene, marks: &Marks) -> Self {
         let pin = 5.0;
         let pins = marks.joints.iter().flatten();
+        let around = |[x, y]: Place, by: f64| [x - by, y - by, x + by, y + by];
+        let pins = pins.map(|at| around(*at, pin));
+        let loads = scene.items.iter().flat_map(along_load);
         Labels {
-            taken: pins
-                .map(|[x, y]| [x - pin, y - pin, x + pin, y + pin])
-                .collect(),
+            taken: pins.chain(loads.map(|at| around(at, LOAD))).collect(),
             page: [scene.width, scene.height],
         }
     }

@@ -3,18 +3,21 @@
 use super::html::{self, Page};
 use super::words;
 
-/// The page's own rules; figures are on white paper in both themes.
+/// The page's own rules, as those of pages with scripts. Figures are on white paper: in the dark their light is turned round, and the
+/// hues stay.
 const STYLE: &str = "\
-:root { color-scheme: light; }
+:root { color-scheme: light dark; }
 * { box-sizing: border-box; }
-body { margin: 0; background: var(--bg); color: var(--ink); font: 15px/1.45 system-ui, sans-serif; }
-header, main { max-width: 1500px; margin: 0 auto; padding: 16px 24px; }
-h1 { font-size: 22px; margin: 0 0 4px; overflow-wrap: anywhere; }
+body { margin: 0; background: var(--bg); color: var(--ink); font: 14px/1.45 system-ui, -apple-system, \"Segoe UI\", Roboto, \"Noto Sans\", Arial, sans-serif; }
+header { padding: 10px 16px 8px; } main { padding: 0 16px 16px; }
+h1 { font-size: 19px; line-height: 1.25; margin: 0 0 4px; overflow-wrap: anywhere; }
 h2 { font-size: 15px; margin: 16px 0 6px; }
 p, ul, ol { margin: 4px 0; overflow-wrap: anywhere; }
 .muted { color: var(--muted); }
 .card { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 12px; margin: 0; }
 .card svg { width: 100%; height: auto; display: block; max-height: 62vh; }
+.card svg > rect:first-of-type { fill: transparent; }
+input[type=\"checkbox\"] { accent-color: var(--accent); }
 .many { display: grid; gap: 16px; grid-template-columns: repeat(auto-fill, minmax(min(420px, 100%), 1fr)); }
 .beside { display: grid; gap: 16px; grid-template-columns: minmax(0, 3fr) minmax(280px, 2fr); align-items: start; }
 figcaption { margin-top: 8px; }
@@ -22,8 +25,10 @@ figcaption { margin-top: 8px; }
 .number { width: 24px; height: 24px; border-radius: 12px; color: #fff; text-align: center; font-weight: bold; line-height: 24px; }
 .wrong .number { background: var(--bad); } .doubt .number { background: var(--warn); } .note .number { background: var(--muted); }
 .key { width: 22px; height: 4px; vertical-align: middle; margin-right: 8px; }
-@media (max-width: 900px) { .beside { grid-template-columns: 1fr; } }
-@media print { body { font-size: 11px; } .card { break-inside: avoid; } }
+@media (prefers-color-scheme: dark) { .card svg { filter: invert(1) hue-rotate(180deg); } }
+@media (max-width: 900px) { .beside { grid-template-columns: minmax(0, 1fr); } }
+@media (max-width: 600px) { header { padding: 8px 12px 6px; } main { padding: 0 10px 14px; } h1 { font-size: 17px; } .card { padding: 4px; } }
+@media print { :root { color-scheme: light; } .card svg { filter: none; } body { font-size: 11px; } .card { break-inside: avoid; } }
 ";
 
 /// Text as it may stand in a page.

@@ -29,13 +29,13 @@
     return (exponent === undefined ? short : `${short}e${Number(exponent)}`).replaceAll("-", "−");
   };
 
-  // A value of a column with its unit.
-  const quantity = (value, unit, digits = 5) => {
+  // A value of a column with its unit; beside an axis in that of the axis, which does not go over to thousands.
+  const quantity = (value, unit, digits = 5, isBesideAxis = false) => {
     if (!Number.isFinite(value)) return "–";
     // Round-off of lengths and angles is nothing.
     if ((unit === "m" || unit === "rad") && Math.abs(value) < 1e-12) value = 0;
     const { factor, label } = of(unit);
-    if (system === "engineering" && Object.hasOwn(thousands, unit) && Math.abs(value) >= 9999.5) return `${number(value / 1e3, digits)} ${thousands[unit]}`;
+    if (!isBesideAxis && system === "engineering" && Object.hasOwn(thousands, unit) && Math.abs(value) >= 9999.5) return `${number(value / 1e3, digits)} ${thousands[unit]}`;
     return number(value * factor, digits) + (label === "–" ? "" : label === "°" ? "°" : " " + label);
   };
 

@@ -91,9 +91,9 @@
   const MOST_FIRST = 8;
   const first = presets.filter(({ first }) => first).slice(0, MOST_FIRST);
   // A value as text; what is round-off compared with others of its unit is zero.
-  const textOf = (column, row, digits) => {
+  const textOf = (column, row, digits, isBesideAxis) => {
     const value = column.values[row];
-    return linkdyn.units.quantity(nothing(value, column.unit) ? 0 : value, column.unit, digits);
+    return linkdyn.units.quantity(nothing(value, column.unit) ? 0 : value, column.unit, digits, isBesideAxis);
   };
   linkdyn.textOf = textOf;
   linkdyn.choices = { shown, presets, first, oneScale, largest, size, nothing, lives, varies, apart };

@@ -83,7 +83,7 @@
   };
   const plotted = (thing) => [...list(thing.owner, thing.plot), ...(thing.driver ? list(thing.driver.owner, thing.driver.plot) : [])].filter(Boolean);
 
-  // The tip stays inside the window.
+  // The tip stays inside the window, and beside what it is about: below it, or above.
   const show = (title, kind, rows, hint, x, y) => {
     tip.replaceChildren(element("p", {}, element("strong", { text: title, className: "text" }), " ", element("span", { text: kind, className: "muted" })),
       ...(rows.length ? [element("table", {}, element("tbody", {}, ...rows.map(([name, value]) => element("tr", {}, element("th", { text: name, scope: "row" }), element("td", { text: value, className: "number" })))))] : []),
@@ -91,7 +91,7 @@
     tip.hidden = false;
     const { offsetWidth: wide, offsetHeight: tall } = tip;
     tip.style.left = `${Math.max(4, x + 16 + wide > innerWidth - 4 ? x - 16 - wide : x + 16)}px`;
-    tip.style.top = `${Math.max(4, Math.min(y + 14, innerHeight - tall - 4))}px`;
+    tip.style.top = `${Math.max(4, y + 14 + tall > innerHeight - 4 ? y - 14 - tall : y + 14)}px`;
   };
   const hide = () => { tip.hidden = true; };
 
@@ -141,7 +141,7 @@
     const where = [["t", `${units.number(linkdyn.time[row], 5)} s`]];
     const { abscissa } = shown;
     if (abscissa.name !== "time") where.push([abscissa.label, units.quantity(abscissa.values[row], abscissa.unit)]);
-    if (best) show(best.name, "", [["value", textOf(best, row)], ...where], "", event.clientX, event.clientY); else hide();
+    if (best) show(best.name, "", [["value", textOf(best, row, 5, true)], ...where], "", event.clientX, event.clientY); else hide();
   };
   plots.leave = hide;
   addEventListener("scroll", hide, { passive: true });

@@ -168,7 +168,7 @@
     // The instant that is shown.
     mark() {
       const row = player.row;
-      this.values.forEach((node, k) => { node.textContent = linkdyn.textOf(this.columns[k], row); });
+      this.values.forEach((node, k) => { node.textContent = linkdyn.textOf(this.columns[k], row, 5, true); });
       if (!this.u) return;
       const across = units.of(this.abscissa.unit).factor;
       const left = this.u.valToPos(this.abscissa.values[row] * across, "x");

@@ -32,7 +32,7 @@
     const { abscissa } = plot;
     const where = plot.across ? `${units.number(time[row], 4)} s` : units.quantity(abscissa.values[row], abscissa.unit, 4);
     if (linkdyn.headline.unbounded(column) !== undefined) return `no bound near ${where}`;
-    return `${units.quantity(column.values[row], column.unit, 4)} at ${where}`;
+    return `${units.quantity(column.values[row], column.unit, 4, true)} at ${where}`;
   };
 
   // The peaks beyond the axes, then the names of few events; returns the labels.
