@@ -310,7 +310,8 @@ fn along_load(item: &Item) -> Vec<Place> {
     };
     match item {
         Item::Line { class, places, .. } | Item::Area { class, places, .. } if *class == "load" => {
-            places.array_windows().copied().flat_map(between).collect()
+            let pairs = places.iter().zip(places.iter().skip(1));
+            pairs.flat_map(|(from, to)| between([*from, *to])).collect()
         }
         Item::Label {
             class,
