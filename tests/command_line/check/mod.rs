@@ -2,6 +2,7 @@
 
 mod large;
 mod mobility;
+mod page;
 mod slips;
 mod tolerances;
 

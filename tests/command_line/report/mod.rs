@@ -1,6 +1,7 @@
 //! `report.html`: what stands in the file, and what a browser makes of it.
 
 mod answers;
+mod beside;
 mod curves;
 mod drawing;
 mod opened;
