@@ -8,13 +8,13 @@
   id("status").classList.add(found ? "good" : "bad");
   page.head({ kind: "optimum", name: given.model, line: given.verdict, notes: given.warnings, foot: given.about ? [given.about] : [], files: "optimise.json and evaluations.csv beside this file" });
 
-  const cell = (text, k) => Array.isArray(text) ? element("td", {}, element("span", { text: text[0], className: `badge ${text[1]}` }))
-    : k ? element("td", { text, className: "number" }) : element("td", {}, name(text));
+  // Marks stand with the name, where they are seen at any width; columns without any word are left out.
+  const isText = (text) => typeof text === "string" && text !== "";
+  const named = ([text, ...rest]) => element("td", {}, name(text), ...rest.filter(Array.isArray).flatMap(([word, sort]) => [" ", element("span", { text: word, className: `badge ${sort}` })]));
   for (const { title, heads: titles, rows } of given.tables) {
-    // Columns without any word are left out.
-    const has = titles.map((_, k) => rows.some((cells) => cells[k] !== "")), only = (list) => list.filter((_, k) => has[k]);
-    const body = element("tbody", {}, ...rows.map((cells) => row(...only(cells.map(cell)))));
-    id("tables").append(folded(title, {}, scroll({}, heads(...only(titles.map((text, k) => k ? [text] : text))), body)).root);
+    const has = titles.map((_, k) => rows.some((cells) => isText(cells[k]))), only = (list) => list.filter((_, k) => k && has[k]);
+    const body = element("tbody", {}, ...rows.map((cells) => row(named(cells), ...only(cells).map((text) => element("td", { text, className: "number" })))));
+    id("tables").append(folded(title, {}, scroll({}, heads(titles[0], ...only(titles).map((text) => [text])), body)).root);
   }
   page.listen(
     ["Space", "play or pause", [" "], () => player.toggle()],
