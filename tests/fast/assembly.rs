@@ -234,7 +234,8 @@ fn a_driver_value_out_of_reach_names_the_loop_and_the_gap() {
 #[test]
 fn too_many_and_too_few_drivers_are_bad_input() {
     let mut model = parallelogram(1, false, 1.0, &still(1.0));
-    model["drivers"]["extra"] = json!({ "type": "rotation", "body": "c1", "motion": still(1.0) });
+    model["drivers"]["extra"] = json!({ "type": "rotation", "body": "c1",
+        "motion": { "type": "constant_velocity", "start": 1.0, "velocity": 0.1 } });
     let said = complaint(&model);
     assert!(
         said.contains("drivers: too many drivers: the joints leave 1 degree of freedom, and there are 2 drivers (\"motor\", \"extra\")"),

@@ -178,3 +178,103 @@ fn what_moves_by_no_driver_alone_is_refused() {
         assert!(said.contains(wanted), "{wanted}: {said}");
     }
 }
+
+/// Both cranks of a parallelogram, or one.
+fn cranks(second: Option<Value>) -> Value {
+    let law = json!({ "type": "constant_velocity", "start": 1.0, "velocity": 2.0 });
+    let mut model = parallelogram(1, false, 1.0, &law);
+    if let Some(motion) = second {
+        model["drivers"]["second"] = json!({ "type": "rotation", "body": "c1", "motion": motion });
+    }
+    model["analysis"] = json!({ "type": "inverse_dynamics", "end": 0.3, "outputs": 11 });
+    model
+}
+
+#[test]
+fn two_motors_of_one_freedom_share_the_work() {
+    let alone = completed(&cranks(None));
+    let law = json!({ "type": "constant_velocity", "start": 1.0, "velocity": 2.0 });
+    let both = completed(&cranks(Some(law)));
+    let needed = column(&alone, "driver.motor.effort");
+    for name in ["driver.motor.effort", "driver.second.effort"] {
+        for (effort, needed) in column(&both, name).iter().zip(&needed) {
+            close(*effort, 0.5 * needed, 1e-11);
+        }
+    }
+    let warnings = both.report.warnings.join("\n");
+    assert!(
+        warnings.contains("motor and second drive 1 degree of freedom together"),
+        "{warnings}"
+    );
+    assert!(
+        alone
+            .report
+            .warnings
+            .iter()
+            .all(|said| !said.contains("together"))
+    );
+    // laws that agree at first alone lead to where they do not
+    let parting = json!({ "type": "constant_acceleration", "start": 1.0, "velocity": 2.0, "acceleration": 0.5 });
+    let run = outcome(&cranks(Some(parting)));
+    assert_ne!(run.report.status, linkdyn_output::Status::Completed);
+    let message = run.report.message.expect("a message");
+    assert!(message.contains("drivers"), "{message}");
+}
+
+/// A platform of weight W on four driven lengths: efforts e with A e = w, of least norm Aᵀ(A Aᵀ)⁻¹ w.
+#[test]
+fn four_legs_carry_a_platform_by_least_norm() {
+    let feet: [[f64; 2]; 4] = [[-0.5, 0.0], [0.1, -0.1], [0.7, 0.0], [0.9, 0.6]];
+    let heads: [[f64; 2]; 4] = [[0.0, 1.0], [0.2, 1.05], [0.6, 1.0], [0.6, 1.1]];
+    let (mass, com) = (40.0, [0.3, 1.1]);
+    let names = ["a", "b", "c", "d"];
+    let mut ground = json!({});
+    let mut platform = json!({});
+    let mut drivers = json!({});
+    for (k, name) in names.iter().enumerate() {
+        ground[name] = json!(feet[k]);
+        platform[name] = json!(heads[k]);
+        let length = (heads[k][0] - feet[k][0]).hypot(heads[k][1] - feet[k][1]);
+        drivers[name] = json!({ "type": "length", "between": [format!("ground.{name}"), format!("platform.{name}")],
+            "motion": { "type": "constant_velocity", "start": length, "velocity": 0.0 } });
+    }
+    let bodies = json!({ "ground": { "points": ground },
+        "platform": { "mass": mass, "inertia": 2.0, "com": com, "points": platform } });
+    let mut model = model(bodies, json!({}), drivers);
+    model["gravity"] = json!([0, -9.81]);
+    model["analysis"] = json!({ "type": "inverse_dynamics", "end": 1.0, "outputs": 2 });
+    let run = completed(&model);
+    // columns of A: direction and moment of each leg
+    let a: Vec<[f64; 3]> = (0..4)
+        .map(|k| {
+            let d = [heads[k][0] - feet[k][0], heads[k][1] - feet[k][1]];
+            let length = d[0].hypot(d[1]);
+            let u = [d[0] / length, d[1] / length];
+            [u[0], u[1], heads[k][0] * u[1] - heads[k][1] * u[0]]
+        })
+        .collect();
+    let w = [0.0, mass * 9.81, com[0] * mass * 9.81];
+    let mut normal = [[0.0; 4]; 3];
+    for (i, row) in normal.iter_mut().enumerate() {
+        for (j, cell) in row.iter_mut().take(3).enumerate() {
+            *cell = a.iter().map(|leg| leg[i] * leg[j]).sum();
+        }
+        row[3] = w[i];
+    }
+    for i in 0..3 {
+        let pivot = normal[i];
+        for (j, row) in normal.iter_mut().enumerate().filter(|(row, _)| *row != i) {
+            let part = row[i] / pivot[i];
+            row.iter_mut().zip(pivot).for_each(|(x, p)| *x -= part * p);
+        }
+    }
+    let y = [0, 1, 2].map(|i| normal[i][3] / normal[i][i]);
+    for (leg, name) in a.iter().zip(names) {
+        let wanted = leg[0] * y[0] + leg[1] * y[1] + leg[2] * y[2];
+        close(
+            column(&run, &format!("driver.{name}.effort"))[0],
+            wanted,
+            1e-9,
+        );
+    }
+}

@@ -248,6 +248,12 @@ impl System {
         }
     }
 
+    /// The rows of the drivers.
+    pub(crate) fn driver_rows(&self) -> Range<usize> {
+        let first = self.joint_rows();
+        first..first + self.drivers.len()
+    }
+
     /// Gives back the room into which its lists have grown.
     fn shrink(&mut self) {
         self.bodies.shrink_to_fit();

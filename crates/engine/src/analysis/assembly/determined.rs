@@ -3,6 +3,7 @@
 use super::assembled::Assembled;
 use super::beside::nudged;
 use super::ranks::{free, ranks};
+use super::velocities::agree;
 use crate::analysis::control::Stop;
 use crate::analysis::in_line::singular_text;
 use crate::analysis::words::quoted;
@@ -19,8 +20,10 @@ const MOVES: f64 = 1e-6;
 /// Too few or too many drivers (input), or a start in a singular position.
 pub fn check_driven(system: &System, assembled: &Assembled, inputs: &Inputs) -> Result<(), Stop> {
     let n = system.n();
-    // Consistent or not, drivers beyond the freedom fight each other; beside the position it is not larger.
-    if system.drivers.len() > n - assembled.joints.rank {
+    // Drivers beyond the freedom share the work where they agree, else they fight each other; beside the position it is not larger.
+    if system.drivers.len() > n - assembled.joints.rank
+        && !(assembled.all.rank == n && agree(system, &assembled.q, inputs))
+    {
         return Err(Stop::Input(vec![over_driven(
             system,
             n - assembled.joints.rank,

@@ -21,6 +21,13 @@ pub fn velocities(system: &System, q: &[f64], inputs: &Inputs) -> Result<Vec<f64
     velocities_near(system, q, inputs, true, None)
 }
 
+/// Whether there are velocities that constraints and all drivers allow.
+pub(super) fn agree(system: &System, q: &[f64], inputs: &Inputs) -> bool {
+    let (v, residual) = least_velocity(system, q, inputs, false, None);
+    let off = linkdyn_linear::math::max_abs(&residual);
+    off <= CONFLICT * system.scaled_norm(&v) + STILL / system.scale.time
+}
+
 /// As [`velocities`], but nearest to `near` in the sense of the kinetic energy; with or without the given initial ones.
 ///
 /// # Errors

@@ -16,6 +16,7 @@ use super::departure::{self, Departure};
 use super::ends;
 use super::instants::Instants;
 use super::sample::Sample;
+use super::words::listed;
 use crate::mechanism::continuation::{Parameter, Path};
 use crate::mechanism::driven::{Driven, Failure};
 use crate::system::{Inputs, JointData, System};
@@ -64,6 +65,9 @@ pub(super) fn run<'s>(
         ..Report::default()
     };
     report.statistics.newton_iterations = assembled.iterations;
+    report
+        .warnings
+        .extend(shared(system, assembled.mobility.rank));
 
     let singular = |_: Failure| {
         Stop::failed(
@@ -102,6 +106,23 @@ pub(super) fn run<'s>(
         report,
         Between::new(driven, path, contents.reactions),
     ))
+}
+
+/// What is said of drivers that share the work.
+fn shared(system: &System, freedom: i64) -> Option<String> {
+    let names: Vec<&str> = system
+        .drivers
+        .iter()
+        .map(|driver| driver.name.as_str())
+        .collect();
+    let several = if freedom == 1 { "degree" } else { "degrees" };
+    (names.len() as i64 > freedom).then(|| {
+        format!(
+            "{} drive {freedom} {several} of freedom together: their efforts are those with the least sum of squares, and others, with \
+             other joint forces, would do as well",
+            listed(&names, " and ")
+        )
+    })
 }
 
 /// Where the motion is followed from, and the drivers there: its start or, where that is singular, a position away from it on

@@ -146,10 +146,15 @@ impl<'a, 'r> Outputs<'a, 'r> {
             });
             if let Err(failure) = self.solve(driven, path, found) {
                 self.report.status = Status::Singular;
+                let shared = self.system.drivers.len() as i64 > self.report.mobility.rank;
                 self.report.message = Some(format!(
-                    "no solution at t = {}: {}",
+                    "no solution at t = {}: {}{}",
                     self.system.display.time(instant.time),
-                    describe(self.system, failure)
+                    describe(self.system, failure),
+                    match shared {
+                        true => "; drivers that move a freedom together have to agree at all times",
+                        false => "",
+                    }
                 ));
                 return;
             }

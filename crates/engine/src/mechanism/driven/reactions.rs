@@ -4,6 +4,7 @@ use super::motions::TOGETHER;
 use super::{Driven, Failure};
 use crate::system::Inputs;
 use linkdyn_linear::math::{dot, max_abs};
+use std::ops::Range;
 
 impl Driven<'_> {
     /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique; those of independent coordinates are left out (they vanish in
@@ -26,7 +27,7 @@ impl Driven<'_> {
         self.work = g;
         if self.is_redundant() {
             let basis = self.self_stress();
-            project_out(&basis, lambda);
+            project_out(&basis, self.system.driver_rows(), lambda);
         }
     }
 
@@ -50,7 +51,7 @@ impl Driven<'_> {
         if self.is_redundant() {
             let basis = self.self_stress();
             for own in inverse.chunks_exact_mut(m) {
-                project_out(&basis, own);
+                project_out(&basis, system.driver_rows(), own);
             }
         }
     }
@@ -117,28 +118,40 @@ impl Driven<'_> {
     }
 }
 
-/// λ minus its part in the span of `basis`: least norm among all λ that differ by self-stresses.
-fn project_out(basis: &[Vec<f64>], lambda: &mut [f64]) {
+/// Part of a self-stress below which it goes through no driver.
+const UNDRIVEN: f64 = 1e-9;
+
+/// λ minus its part in the span of `basis`, of least norm among all λ that differ by self-stresses: first of the drivers, whose
+/// rows these are, then of all.
+fn project_out(basis: &[Vec<f64>], drivers: Range<usize>, lambda: &mut [f64]) {
     // Modified Gram–Schmidt, twice for orthogonality to round-off.
-    let mut done: Vec<Vec<f64>> = Vec::with_capacity(basis.len());
-    for z in basis {
-        let mut z = z.clone();
-        for _ in 0..2 {
-            for e in &done {
-                let along = dot(e, &z);
-                z.iter_mut().zip(e).for_each(|(z, e)| *z -= along * e);
+    let mut basis = basis.to_vec();
+    for rows in [drivers, 0..lambda.len()] {
+        let mut done: Vec<Vec<f64>> = Vec::with_capacity(basis.len());
+        let mut left = Vec::new();
+        let along = |e: &[f64], z: &[f64]| dot(&e[rows.clone()], &z[rows.clone()]);
+        for mut z in basis {
+            let before = dot(&z, &z).sqrt();
+            for _ in 0..2 {
+                for e in &done {
+                    let along = along(e, &z);
+                    z.iter_mut().zip(e).for_each(|(z, e)| *z -= along * e);
+                }
+            }
+            let norm = along(&z, &z).sqrt();
+            if norm > UNDRIVEN * before && max_abs(&z).is_finite() {
+                z.iter_mut().for_each(|z| *z /= norm);
+                done.push(z);
+            } else {
+                left.push(z);
             }
         }
-        let norm = dot(&z, &z).sqrt();
-        if norm > 0.0 && max_abs(&z).is_finite() {
-            z.iter_mut().for_each(|z| *z /= norm);
-            done.push(z);
+        for _ in 0..2 {
+            for e in &done {
+                let along = along(e, lambda);
+                lambda.iter_mut().zip(e).for_each(|(l, e)| *l -= along * e);
+            }
         }
-    }
-    for _ in 0..2 {
-        for e in &done {
-            let along = dot(e, lambda);
-            lambda.iter_mut().zip(e).for_each(|(l, e)| *l -= along * e);
-        }
+        basis = left;
     }
 }
