@@ -12,6 +12,7 @@ use super::Exit;
 use linkdyn_engine::analysis::Control;
 
 /// Characters of a line of progress, at most.
+#[cfg(unix)]
 const WIDTH: usize = 78;
 
 thread_local! {
@@ -112,6 +113,7 @@ impl Drop for Waiting {
     }
 }
 
+#[cfg(unix)]
 fn handle(flag: &AtomicBool) {
     if flag.swap(true, Ordering::SeqCst) {
         std::process::exit(Exit::Interrupted.code().into());

@@ -263,7 +263,7 @@ fn four_legs_carry_a_platform_by_least_norm() {
     }
     for i in 0..3 {
         let pivot = normal[i];
-        for (j, row) in normal.iter_mut().enumerate().filter(|(row, _)| *row != i) {
+        for (_, row) in normal.iter_mut().enumerate().filter(|(row, _)| *row != i) {
             let part = row[i] / pivot[i];
             row.iter_mut().zip(pivot).for_each(|(x, p)| *x -= part * p);
         }
