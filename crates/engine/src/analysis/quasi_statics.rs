@@ -61,7 +61,8 @@ fn weightless(system: &System) -> Option<String> {
     }
     let light = bodies().filter(|(_, columns)| masses[columns.x()] == 0.0);
     let names: Vec<&str> = light.map(|(body, _)| body.name.as_str()).collect();
-    (!names.is_empty()).then(|| format!("{} has no mass, and no weight", names.join(", ")))
+    (!names.is_empty())
+        .then(|| format!("without mass, and so without weight: {}", names.join(", ")))
 }
 
 /// The equilibrium at every instant, each sought from the one before.
@@ -96,6 +97,10 @@ fn equilibria(
         report,
     };
     let end = instants.last().map_or(0.0, |last| last.time);
+    // Outputs may begin later than the motion, which leads there from its start.
+    if instants.first().is_some_and(|first| first.time > 0.0) {
+        march.attempt(0.0, f64::INFINITY, false, control)?;
+    }
     for instant in instants {
         control.progress.note(instant.time, end);
         match march.advance(instant.time, control) {
