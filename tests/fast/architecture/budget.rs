@@ -31,8 +31,8 @@ const fn part(
 }
 
 const PARTS: &[Part] = &[
-    part("model", &["crates/model/src"], "rs", 16_620),
-    part("engine", &["crates/engine/src"], "rs", 42_260),
+    part("model", &["crates/model/src"], "rs", 16_770),
+    part("engine", &["crates/engine/src"], "rs", 42_540),
     part("variation", &["crates/variation/src"], "rs", 5_032),
     part("linear", &["crates/linear/src"], "rs", 3_500),
     part(
@@ -42,7 +42,7 @@ const PARTS: &[Part] = &[
         3_910,
     ),
     part("ask", &["crates/ask/src"], "rs", 8_030),
-    part("output", &["crates/output/src"], "rs", 2_070),
+    part("output", &["crates/output/src"], "rs", 2_080),
     part("picture", &["crates/picture/src"], "rs", 9_340),
     part("pages", &["crates/picture/src"], "js", 4_115),
     part("library", &["src"], "rs", 5_145),
@@ -50,7 +50,7 @@ const PARTS: &[Part] = &[
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_330),
     part("python package", &["python/linkdyn"], "py", 1_950),
-    part("tests", &["tests"], "rs", 44_800),
+    part("tests", &["tests"], "rs", 45_600),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

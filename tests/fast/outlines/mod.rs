@@ -9,6 +9,7 @@
 //! (Geneva drive: J. H. Bickford, *Mechanisms for Intermittent Motion*, 1972, ch. 9.)
 
 mod corners;
+mod leaning;
 mod many;
 mod resting;
 mod seams;

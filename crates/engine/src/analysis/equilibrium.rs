@@ -50,7 +50,7 @@ fn singular(_: Failure) -> Stop {
     )
 }
 
-/// Moves the mechanism into equilibrium.
+/// Moves the mechanism into equilibrium; `depth` as in [`find`].
 ///
 /// # Errors
 /// When there is none or a singular one, or it is time to stop.
@@ -58,8 +58,9 @@ pub fn balance(
     held: &mut LinearisedSystem,
     assembled: &Assembled,
     control: &Control,
+    depth: Option<&dyn Fn(&LinearisedSystem) -> f64>,
 ) -> Result<Balance, Stop> {
-    let found = find(held, &|| control.stop().is_some());
+    let found = find(held, &|| control.stop().is_some(), depth);
     let singular = |message: String| Stop::failed(Status::Singular, message);
     let lost = match found {
         Ok(_) | Err(Lost::Blocked | Lost::Failed(_) | Lost::Unbalanced { .. })
@@ -96,6 +97,10 @@ pub fn balance(
              on the other side, or drive it{friction}",
             pulled(held),
             what(held),
+        )),
+        Lost::Met => singular(format!(
+            "no equilibrium found: the forces pull {} into an outline, and nothing holds it there{friction}",
+            pulled(held)
         )),
         Lost::Failed(_) => singular(format!(
             "no equilibrium found: the search came to a singular position{}; start closer to the equilibrium",

@@ -1,7 +1,8 @@
 //! Equilibria in which joints lean on their stops.
 //!
 //! A stop presses, N ≥ 0 at δ = 0 (or N = K δ where it yields), or it is left alone, N = 0 and δ ≤ 0. Which do what is searched for:
-//! without any first, then with those that the mechanism has gone beyond, and without those that would pull.
+//! without any first, then with those that the mechanism has gone beyond, and without those that would pull. Of outlines the first
+//! that is met on the way counts, from where it is met: behind it there may be others, or nothing at all.
 
 use super::assembly::Assembled;
 use super::control::{Control, Stop as Failed};
@@ -9,7 +10,7 @@ use super::ends::{BEYOND, seen};
 use super::equilibrium::{balance, start};
 use super::sample::{ContactSample, Sample};
 use crate::element::Kinematics;
-use crate::element::pair::{ContactId, Hold, Pair, Surface};
+use crate::element::pair::{ContactId, Hold, Pair, Reading, Surface};
 use crate::element::quantity::Measured;
 use crate::element::stop::Stop;
 use crate::element::yielding::Yielding;
@@ -65,7 +66,14 @@ pub fn rest<T>(
             Err(failed) if next == 1 => return Err(failed),
             Err(_) => continue,
         };
-        let balanced = balance(&mut held, &assembled, control);
+        let depth = |held: &LinearisedSystem| leaning.depth(held);
+        let outlines = leaning.has_outlines();
+        let depth: Option<&dyn Fn(&LinearisedSystem) -> f64> = match outlines {
+            true => Some(&depth),
+            false => None,
+        };
+        let balanced = balance(&mut held, &assembled, control, depth);
+        let was_met = outlines && depth.is_some_and(|depth| depth(&held) > 0.0);
         let contacts = leaning.readings(&mut held);
         let others = leaning.others(&contacts);
         match balanced {
@@ -75,7 +83,9 @@ pub fn rest<T>(
             Err(failed) if others.is_empty() => failure = failure.or(Some(failed)),
             Ok(_) | Err(_) => {}
         }
-        if guess.is_none() {
+        if was_met {
+            guess = Some(held.q.clone());
+        } else if guess.is_none() {
             guess = Some(assembled.q.clone());
         }
         for other in others {
@@ -212,14 +222,7 @@ impl Leaning<'_> {
         let mut passed: Vec<(f64, ContactId)> = contacts
             .iter()
             .enumerate()
-            .map(|(contact, sample)| {
-                let (reading, size) = (&sample.reading, self.whole.size);
-                let depth = match self.whole.contacts[contact].edge() {
-                    Some(edge) if !self.free[contact] => edge.depth(reading, size),
-                    Some(_) | None => reading.penetration.min(reading.room),
-                };
-                (depth, ContactId(contact))
-            })
+            .map(|(contact, sample)| (self.passed(contact, &sample.reading), ContactId(contact)))
             .filter(|(depth, id)| *depth > BEYOND * self.whole.size && !self.pressed.contains(id))
             .collect();
         passed.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -233,5 +236,28 @@ impl Leaning<'_> {
             }
         }
         others
+    }
+
+    /// How far the mechanism is beyond a contact \[m or rad\].
+    fn passed(&self, contact: usize, reading: &Reading) -> f64 {
+        match self.whole.contacts[contact].edge() {
+            Some(edge) if !self.free[contact] => edge.depth(reading, self.whole.size),
+            Some(_) | None => reading.penetration.min(reading.room),
+        }
+    }
+
+    fn has_outlines(&self) -> bool {
+        self.whole.contacts.iter().any(|pair| pair.edge().is_some())
+    }
+
+    /// How far the mechanism is inside outlines that do not press yet, beyond round-off \[m\].
+    fn depth(&self, held: &LinearisedSystem) -> f64 {
+        let at = held.driven.evaluation.kinematics(&held.inputs);
+        let contacts = self.whole.contacts.iter().enumerate();
+        let others = contacts.filter(|(contact, pair)| {
+            pair.edge().is_some() && !self.pressed.contains(&ContactId(*contact))
+        });
+        let depths = others.map(|(contact, pair)| self.passed(contact, &pair.shape.read(&at)));
+        depths.fold(0.0, f64::max) - BEYOND * self.whole.size
     }
 }

@@ -123,7 +123,7 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
     let balance = if pose {
         judge(&mut held)
     } else {
-        balance(&mut held, &assembled, control)?
+        balance(&mut held, &assembled, control, None)?
     };
     about(&assembled, &mut held, &balance, pose)
 }

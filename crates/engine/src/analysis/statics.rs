@@ -33,7 +33,7 @@ pub fn run(
         let (assembled, mut held) = start(system, 0.0, false)?;
         let assemble = watch.read();
         let watch = Stopwatch::start();
-        let balance = balance(&mut held, &assembled, control)?;
+        let balance = balance(&mut held, &assembled, control, None)?;
         let (trajectory, mut report) =
             told((system, contents), &assembled, &mut held, &balance, &[]);
         (report.assemble, report.solve) = (assemble, watch.read());
@@ -82,6 +82,8 @@ fn told(
         &held.inputs,
         &sample,
     );
+    let shared = super::driven::shared(system, assembled.mobility.rank);
+    report.warnings.extend(shared);
     report.warnings.extend(warning(balance));
     report.warnings.extend(friction_left_out(system));
     report.warnings.extend(recorder.warnings(system));

@@ -1,5 +1,6 @@
 //! Sentences that several analyses say, and lists of names in them.
 
+use crate::element::pair::ContactId;
 use crate::system::System;
 
 /// Names that a message lists before it only counts them.
@@ -57,8 +58,32 @@ fn rubbing(system: &System) -> Option<String> {
         .joints
         .iter()
         .filter(|joint| joint.extras().friction.is_some());
-    let names: Vec<&str> = with_friction.map(|joint| joint.name.as_str()).collect();
+    let mut names: Vec<&str> = with_friction.map(|joint| joint.name.as_str()).collect();
+    names.extend(rough(system));
     (!names.is_empty()).then(|| names.join(", "))
+}
+
+/// Contacts with outlines that have friction.
+fn rough(system: &System) -> Vec<&str> {
+    let contacts = system.contacts.iter().enumerate();
+    let rough = contacts.filter(|(_, pair)| pair.edge().is_some() && pair.rubs());
+    let mut names: Vec<&str> = rough
+        .map(|(k, _)| system.owner_name(ContactId(k)))
+        .collect();
+    names.dedup();
+    names
+}
+
+/// What may be behind equations without a solution: a contact that friction locks.
+pub fn friction_may_lock(system: &System) -> String {
+    let names = rough(system);
+    match names.is_empty() {
+        true => String::new(),
+        false => format!(
+            " (or the friction of {} locks it: with a coefficient so large no force balances it)",
+            names.join(", ")
+        ),
+    }
 }
 
 /// What to say where nothing moves.

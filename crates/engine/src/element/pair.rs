@@ -24,6 +24,7 @@ use super::edge::Edge;
 use super::journal::Journal;
 use super::stop::Stop;
 use super::{Applied, Constraint, Kinematics, Slope};
+use crate::contact::friction;
 use crate::contact::impact::Sense;
 use linkdyn_linear::math::perp;
 use std::sync::Arc;
@@ -86,6 +87,14 @@ pub struct Rigid {
 }
 
 impl Pair {
+    /// Whether it has friction.
+    pub fn rubs(&self) -> bool {
+        match &self.surface {
+            Surface::Rigid(rigid) => rigid.friction > 0.0,
+            Surface::Compliant(laws) => !matches!(laws.friction, friction::Law::None),
+        }
+    }
+
     /// Geometry, velocities and forces; in the phase that `memory` says.
     pub fn read(&self, at: &Kinematics, memory: &Contact) -> Reading {
         let mut reading = self.shape.read(at);

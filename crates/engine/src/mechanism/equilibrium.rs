@@ -21,6 +21,10 @@ const LONGEST_STEP: f64 = 0.25;
 const BALANCED: f64 = 1e-12;
 /// A stiffness this small beside the largest force and stiffness is none.
 const INDIFFERENT: f64 = 1e-10;
+/// The same beside outlines, which are not to be jumped over.
+const BESIDE_OUTLINES: f64 = 0.02;
+/// Halvings of a step that goes into an outline: to where it does so by its 10⁻⁶.
+const HALVINGS: usize = 20;
 /// Part of a step below which it is given up.
 const SHORTEST: f64 = 1e-9;
 const MAX_ITERATIONS: u64 = 500;
@@ -60,6 +64,8 @@ pub enum Lost {
     },
     /// The forces pull against a position that can't be passed.
     Blocked,
+    /// The way there leads into an outline.
+    Met,
     /// The position can't be solved any more.
     Failed(Failure),
     /// Told to stop.
@@ -154,9 +160,17 @@ impl Local {
 
 /// Moves the mechanism into equilibrium.
 ///
+/// `depth` says how far it is inside an outline, where it may meet one; into that it does not move, or farther than it begins.
+///
 /// # Errors
 /// See [`Lost`]; the mechanism is then where the search ended.
-pub fn find(held: &mut LinearisedSystem, stopped: &dyn Fn() -> bool) -> Result<Balance, Lost> {
+pub fn find(
+    held: &mut LinearisedSystem,
+    stopped: &dyn Fn() -> bool,
+    depth: Option<&dyn Fn(&LinearisedSystem) -> f64>,
+) -> Result<Balance, Lost> {
+    let longest = depth.map_or(LONGEST_STEP, |_| BESIDE_OUTLINES);
+    let allowed = depth.map_or(0.0, |depth| depth(held).max(0.0));
     let mut local = Local::of(held, 0.0);
     let mut iterations = 0;
     while local.residual() > BALANCED {
@@ -169,7 +183,14 @@ pub fn find(held: &mut LinearisedSystem, stopped: &dyn Fn() -> bool) -> Result<B
             });
         }
         iterations += 1;
-        step(held, &local)?;
+        let before = depth.map(|_| held.q.clone());
+        step(held, &local, longest)?;
+        if let (Some(depth), Some(before)) = (depth, before)
+            && depth(held) > allowed
+        {
+            go_back(held, before, |held| depth(held) > allowed).map_err(Lost::Failed)?;
+            return Err(Lost::Met);
+        }
         held.exchange().map_err(Lost::Failed)?;
         local = Local::of(held, local.scale);
     }
@@ -235,10 +256,29 @@ fn extent(held: &LinearisedSystem, d: &[f64]) -> f64 {
     held.driven.system.scaled_norm(&held.along(&d))
 }
 
+/// Goes back from where a step ended to where it was just `inside`, towards where it began.
+fn go_back(
+    held: &mut LinearisedSystem,
+    mut outside: Vec<f64>,
+    inside: impl Fn(&LinearisedSystem) -> bool,
+) -> Result<(), Failure> {
+    let mut end = held.q.clone();
+    for _ in 0..HALVINGS {
+        let both = outside.iter().zip(&end);
+        let middle: Vec<f64> = both.map(|(a, b)| 0.5 * (a + b)).collect();
+        held.return_to(&middle)?;
+        match inside(held) {
+            true => end = middle,
+            false => outside = middle,
+        }
+    }
+    held.return_to(&end)
+}
+
 /// One step with work that is not negative.
-fn step(held: &mut LinearisedSystem, local: &Local) -> Result<(), Lost> {
+fn step(held: &mut LinearisedSystem, local: &Local, longest: f64) -> Result<(), Lost> {
     let mut d = local.direction();
-    let shorten = (LONGEST_STEP / extent(held, &d)).min(1.0);
+    let shorten = (longest / extent(held, &d)).min(1.0);
     d.iter_mut().for_each(|d| *d *= shorten);
     let mut part = 1.0;
     let norm = max_abs(&local.g);

@@ -109,7 +109,7 @@ pub(super) fn run<'s>(
 }
 
 /// What is said of drivers that share the work.
-fn shared(system: &System, freedom: i64) -> Option<String> {
+pub fn shared(system: &System, freedom: i64) -> Option<String> {
     let names: Vec<&str> = system
         .drivers
         .iter()

@@ -17,6 +17,7 @@ use super::switches::Switches;
 use super::words::{backward_start, deep_start, describe, unclosed};
 use crate::analysis::control::Stop;
 use crate::analysis::outside::Outside;
+use crate::analysis::words::friction_may_lock;
 use crate::element::pair::{Contact, Surface};
 use linkdyn_output::Status;
 
@@ -82,7 +83,9 @@ impl<'s> Simulation<'s> {
         let steps = started.map_err(|fault| {
             let system = flow.system();
             let message = unclosed(system, fault, 0.0);
-            let message = message.unwrap_or_else(|| describe(fault, 0.0, "", &system.display));
+            let message = message.unwrap_or_else(|| {
+                describe(fault, 0.0, &friction_may_lock(system), &system.display)
+            });
             Stop::failed(Status::Singular, message)
         })?;
         if let Some(extremes) = &mut extremes {

@@ -4,7 +4,7 @@ use super::fault::Fault;
 use super::flow::Flow;
 use super::ledger::Ledger;
 use super::words::{busiest, chatters, culprits, describe, jam, no_value, tight, unclosed};
-use crate::analysis::words::locked;
+use crate::analysis::words::{friction_may_lock, locked};
 use crate::mechanism::driven::Failure;
 use crate::system::System;
 use linkdyn_output::{Reason, Status};
@@ -127,6 +127,6 @@ fn told(
     if !jammed.is_empty() {
         return (Status::Singular, jam(flow, jammed, now));
     }
-    let culprits = culprits(flow);
+    let culprits = culprits(flow) + &friction_may_lock(flow.system());
     (Status::Singular, describe(fault, now, &culprits, display))
 }

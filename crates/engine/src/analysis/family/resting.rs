@@ -87,7 +87,7 @@ impl<'f> Resting<'f> {
     fn rest(&mut self, system: &System, values: &[f64], control: &Control) -> Result<(), Stop> {
         statics::refuse(system)?;
         let (assembled, mut held) = equilibrium::start(system, 0.0, false)?;
-        let balance = equilibrium::balance(&mut held, &assembled, control)?;
+        let balance = equilibrium::balance(&mut held, &assembled, control, None)?;
         self.read(&mut held);
         self.evaluation.row(&self.room.values);
         self.kept = self.keeps.then(|| Kept {
