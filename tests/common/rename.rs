@@ -46,7 +46,10 @@ pub fn rename_and_reverse(model: &Model) -> Model {
     model.forces = reversed(model.forces);
     for force in model.forces.values_mut() {
         match &mut force.kind {
-            ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
+            ForceKind::Spring { between, .. }
+            | ForceKind::Actuator { between, .. }
+            | ForceKind::GasSpring { between, .. }
+            | ForceKind::Cylinder { between, .. } => {
                 between.iter_mut().for_each(reference);
             }
             ForceKind::Cable { through, .. } => through.iter_mut().for_each(reference),
@@ -55,6 +58,9 @@ pub fn rename_and_reverse(model: &Model) -> Model {
             }
             ForceKind::Load { at, .. } => reference(at),
             ForceKind::Torque {
+                body, relative_to, ..
+            }
+            | ForceKind::DcMotor {
                 body, relative_to, ..
             } => {
                 *body = renamed(body);

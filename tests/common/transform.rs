@@ -240,6 +240,9 @@ fn rotate_force(kind: &ForceKind, angle: f64) -> Vec<(&'static str, ForceKind)> 
     match &mut kind {
         ForceKind::Spring { .. }
         | ForceKind::Actuator { .. }
+        | ForceKind::GasSpring { .. }
+        | ForceKind::Cylinder { .. }
+        | ForceKind::DcMotor { .. }
         | ForceKind::Cable { .. }
         | ForceKind::Torque { .. } => {}
         ForceKind::TorsionSpring {
@@ -318,7 +321,12 @@ pub fn mirror(model: &Model) -> Model {
     each_sampled_angle(&mut model, |value| -value);
     for force in model.forces.values_mut() {
         match &mut force.kind {
-            ForceKind::Spring { .. } | ForceKind::Actuator { .. } | ForceKind::Cable { .. } => {}
+            ForceKind::Spring { .. }
+            | ForceKind::Actuator { .. }
+            | ForceKind::GasSpring { .. }
+            | ForceKind::Cylinder { .. }
+            | ForceKind::Cable { .. } => {}
+            ForceKind::DcMotor { voltage, .. } => *voltage = affine_value(voltage, -1.0, 0.0),
             ForceKind::TorsionSpring {
                 free_angle: value, ..
             }

@@ -315,6 +315,46 @@ impl Scale {
                 "damping": damping / self.length, "free_length": self.law(free_length, self.length) }),
             ForceKind::Actuator { between, force } => json!({ "type": "actuator",
                 "between": between.each_ref().map(PointRef::to_string), "force": self.law(force, 1.0) }),
+            ForceKind::GasSpring {
+                between,
+                force,
+                extended,
+                stroke,
+                progression,
+                exponent,
+                damping,
+            } => json!({ "type": "gas_spring",
+                "between": between.each_ref().map(PointRef::to_string), "force": force,
+                "extended": extended * self.length, "stroke": stroke * self.length,
+                "progression": progression, "exponent": exponent, "damping": damping / self.length }),
+            ForceKind::Cylinder {
+                between,
+                bore,
+                rod,
+                pressure,
+                rod_pressure,
+            } => json!({ "type": "cylinder",
+                "between": between.each_ref().map(PointRef::to_string),
+                "bore": bore * self.length, "rod": rod * self.length,
+                "pressure": self.law(pressure, 1.0 / (self.length * self.length)),
+                "rod_pressure": self.law(rod_pressure, 1.0 / (self.length * self.length)) }),
+            ForceKind::DcMotor {
+                body,
+                relative_to,
+                voltage,
+                torque_constant,
+                resistance,
+                inductance,
+                gear,
+            } => {
+                let mut words = json!({ "type": "dc_motor", "body": body,
+                    "voltage": self.law(voltage, 1.0), "torque_constant": torque_constant,
+                    "resistance": resistance, "inductance": inductance, "gear": gear });
+                if let Some(other) = relative_to {
+                    words["relative_to"] = json!(other);
+                }
+                words
+            }
             ForceKind::Cable {
                 through,
                 stiffness,

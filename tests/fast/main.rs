@@ -63,6 +63,7 @@ mod lengths;
 mod measures;
 mod outlines;
 mod outputs;
+mod parts;
 mod racks;
 mod responses;
 mod rolling;

@@ -130,6 +130,33 @@ fn each_driver_moves_the_point_by_its_column_of_the_jacobian() {
     );
 }
 
+/// The inverse of the Jacobian, by drivers that lead the point, and its determinant as a response.
+#[test]
+fn responses_know_ratios_by_drivers_of_a_point() {
+    let lead = |axis: &str, start: f64, velocity: f64| {
+        json!({ "type": "point", "point": "near.P", "axis": axis,
+            "motion": { "type": "constant_velocity", "start": start, "velocity": velocity } })
+    };
+    let mut model = five_bar(json!({ "x": lead("x", 0.2, 0.05), "y": lead("y", 0.4, 0.02) }));
+    model["outputs"] = json!({
+        "lx": "d(left.angle)/d(driver.x)", "ly": "d(left.angle)/d(driver.y)",
+        "rx": "d(right.angle)/d(driver.x)", "ry": "d(right.angle)/d(driver.y)" });
+    model["responses"] = json!({ "inverse": "last(output.lx*output.ry - output.ly*output.rx)" });
+    model["analysis"] = json!({ "type": "kinematics", "end": 1.0, "outputs": 5 });
+    let run = completed(&model);
+    let of = |name: &str| *column(&run, name).last().expect("rows");
+    let (x, y) = (of("near.P.x"), of("near.P.y"));
+    let rod = |foot: f64, angle: f64| {
+        let (sin, cos) = angle.sin_cos();
+        let e = [x - foot - CRANK * cos, y - CRANK * sin];
+        (e, CRANK * (-sin * e[0] + cos * e[1]))
+    };
+    let ((e, l), (f, r)) = (rod(0.0, of("left.angle")), rod(BASE, of("right.angle")));
+    // θ̇ l = e·ṗ for each crank
+    let expected = (e[0] * f[1] - e[1] * f[0]) / (l * r);
+    close(run.responses[0].value.expect("a value"), expected, 1e-11);
+}
+
 #[test]
 fn what_moves_by_no_driver_alone_is_refused() {
     let mut model = five_bar(json!({
@@ -244,6 +271,13 @@ fn four_legs_carry_a_platform_by_least_norm() {
     model["gravity"] = json!([0, -9.81]);
     model["analysis"] = json!({ "type": "inverse_dynamics", "end": 1.0, "outputs": 2 });
     let run = completed(&model);
+    let mut at_rest = model.clone();
+    at_rest["analysis"] = json!({ "type": "statics" });
+    let warnings = completed(&at_rest).report.warnings.join("\n");
+    assert!(
+        warnings.contains("drive 3 degrees of freedom together"),
+        "{warnings}"
+    );
     // columns of A: direction and moment of each leg
     let a: Vec<[f64; 3]> = (0..4)
         .map(|k| {

@@ -37,6 +37,14 @@ pub enum Dimension {
     Stress,
     /// A frequency \[Hz\].
     Frequency,
+    /// A voltage \[V\]. The ampere counts as a pure number, so that this is a power.
+    Voltage,
+    /// An electrical resistance \[Ω\].
+    Resistance,
+    /// An inductance \[H\].
+    Inductance,
+    /// Torque by current [N·m/A].
+    TorqueConstant,
 }
 
 /// Exponents of length, mass, time and angle.
@@ -83,6 +91,15 @@ impl Dimension {
         Dimension::Stress,
     ];
 
+    /// All others: plain numbers of these are always in SI.
+    const ALWAYS_SI: [Dimension; 5] = [
+        Dimension::Frequency,
+        Dimension::Voltage,
+        Dimension::Resistance,
+        Dimension::Inductance,
+        Dimension::TorqueConstant,
+    ];
+
     /// Name in `units`, SI unit, and exponents.
     const fn row(self) -> (&'static str, &'static str, Powers) {
         match self {
@@ -105,6 +122,10 @@ impl Dimension {
             Dimension::Time => ("time", "s", powers(0, 0, 1, 0)),
             Dimension::Stress => ("stress", "Pa", powers(-1, 1, -2, 0)),
             Dimension::Frequency => ("frequency", "Hz", powers(0, 0, -1, 0)),
+            Dimension::Voltage => ("voltage", "V", powers(2, 1, -3, 0)),
+            Dimension::Resistance => ("resistance", "ohm", powers(2, 1, -3, 0)),
+            Dimension::Inductance => ("inductance", "H", powers(2, 1, -2, 0)),
+            Dimension::TorqueConstant => ("torque_constant", "N*m/A", powers(2, 1, -2, 0)),
         }
     }
 
@@ -127,7 +148,7 @@ impl Dimension {
     pub fn from_name(name: &str) -> Option<Self> {
         Dimension::NAMED
             .into_iter()
-            .chain([Dimension::Frequency])
+            .chain(Dimension::ALWAYS_SI)
             .find(|dimension| dimension.name() == name)
     }
 

@@ -25,6 +25,10 @@ impl Default for Value {
     }
 }
 
+fn one() -> f64 {
+    1.0
+}
+
 /// Frame of a force vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -78,12 +82,66 @@ pub enum ForceKind {
         #[serde(default)]
         free_length: Value,
     },
-    /// Along the line of two points, a hydraulic cylinder or a gas spring: a force that pushes them apart \[N\].
+    /// Along the line of two points: a force that pushes them apart \[N\].
     Actuator {
         /// Two points, `body.point`.
         between: [PointRef; 2],
         /// \[N\]
         force: Value,
+    },
+    /// A gas spring, which pushes two points apart.
+    GasSpring {
+        /// Two points, `body.point`.
+        between: [PointRef; 2],
+        /// At full extension \[N\].
+        force: f64,
+        /// Distance of its points at full extension \[m\].
+        extended: f64,
+        /// How far it is compressed at most \[m\].
+        stroke: f64,
+        /// Force at full compression by that at full extension [–].
+        #[serde(default = "one")]
+        progression: f64,
+        /// n of pVⁿ = constant [–].
+        #[serde(default = "one")]
+        exponent: f64,
+        /// [N·s/m]
+        #[serde(default)]
+        damping: f64,
+    },
+    /// A hydraulic or pneumatic cylinder, or that of an engine.
+    Cylinder {
+        /// Of the cylinder and of the rod, `body.point`.
+        between: [PointRef; 2],
+        /// Diameter of the piston \[m\].
+        bore: f64,
+        /// Diameter of the rod \[m\].
+        #[serde(default)]
+        rod: f64,
+        /// On the full face of the piston \[Pa\].
+        pressure: Value,
+        /// On its other face, around the rod \[Pa\].
+        #[serde(default)]
+        rod_pressure: Value,
+    },
+    /// A direct-current motor with a gear.
+    DcMotor {
+        /// The body that it turns.
+        body: String,
+        /// The body that it stands on.
+        relative_to: Option<String>,
+        /// At its terminals \[V\].
+        voltage: Value,
+        /// [N·m/A]
+        torque_constant: f64,
+        /// \[Ω\]
+        resistance: f64,
+        /// \[H\]; 0: the current follows at once.
+        #[serde(default)]
+        inductance: f64,
+        /// Turns of its shaft for one turn of the body [–].
+        #[serde(default = "one")]
+        gear: f64,
     },
     /// Over points: a tension k(L − L₀) + c L̇ of its whole length, zero where that is negative \[N\].
     Cable {
@@ -133,9 +191,21 @@ pub enum ForceKind {
     },
 }
 
+impl Force {
+    /// Least and greatest length \[m\], where its stroke has ends.
+    pub fn limits(&self) -> Option<[Option<f64>; 2]> {
+        match self.kind {
+            ForceKind::GasSpring {
+                extended, stroke, ..
+            } => Some([Some(extended - stroke), Some(extended)]),
+            _ => self.stroke.limits,
+        }
+    }
+}
+
 impl ForceKind {
     /// Its values that may vary, each with its key in a file and the dimension of a formula there; `None` if there can be none.
-    pub(crate) fn values(&self) -> Vec<(String, &Value, Option<Dimension>)> {
+    pub fn values(&self) -> Vec<(String, &Value, Option<Dimension>)> {
         let one = |key: &str, value, of| vec![(key.to_owned(), value, of)];
         match self {
             ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
@@ -150,19 +220,34 @@ impl ForceKind {
             }
             ForceKind::Torque { value, .. } => one("value", value, Some(Dimension::Torque)),
             ForceKind::Actuator { force, .. } => one("force", force, Some(Dimension::Force)),
+            ForceKind::GasSpring { .. } => Vec::new(),
+            ForceKind::Cylinder {
+                pressure,
+                rod_pressure,
+                ..
+            } => {
+                let parts = [("pressure", pressure), ("rod_pressure", rod_pressure)];
+                let parts = parts.into_iter();
+                parts
+                    .flat_map(|(key, value)| one(key, value, Some(Dimension::Stress)))
+                    .collect()
+            }
+            ForceKind::DcMotor { voltage, .. } => one("voltage", voltage, Some(Dimension::Voltage)),
         }
     }
 
     /// The points that it acts along the line of; none of what has no length.
     pub fn ends(&self) -> Option<&[PointRef; 2]> {
         match self {
-            ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
-                Some(between)
-            }
+            ForceKind::Spring { between, .. }
+            | ForceKind::Actuator { between, .. }
+            | ForceKind::GasSpring { between, .. }
+            | ForceKind::Cylinder { between, .. } => Some(between),
             ForceKind::Cable { .. }
             | ForceKind::TorsionSpring { .. }
             | ForceKind::Load { .. }
-            | ForceKind::Torque { .. } => None,
+            | ForceKind::Torque { .. }
+            | ForceKind::DcMotor { .. } => None,
         }
     }
 }

@@ -33,12 +33,13 @@ pub fn unheld(model: &Model) -> Option<Complaint> {
             .map(|end| end.body.as_str())
     };
     let by_spring = model.forces.values().any(|force| match &force.kind {
-        ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
-            between.iter().any(|end| end.body == GROUND)
-        }
+        ForceKind::Spring { between, .. }
+        | ForceKind::Actuator { between, .. }
+        | ForceKind::GasSpring { between, .. }
+        | ForceKind::Cylinder { between, .. } => between.iter().any(|end| end.body == GROUND),
         ForceKind::Cable { through, .. } => through.iter().any(|end| end.body == GROUND),
         ForceKind::TorsionSpring { between, .. } => between.iter().any(|body| body == GROUND),
-        ForceKind::Load { .. } | ForceKind::Torque { .. } => false,
+        ForceKind::Load { .. } | ForceKind::Torque { .. } | ForceKind::DcMotor { .. } => false,
     });
     if model.joints.is_empty() || by_spring || on_joints().any(|body| body == GROUND) {
         return None;

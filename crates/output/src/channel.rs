@@ -188,6 +188,8 @@ pub enum LoadQuantity {
     Power,
     /// Force \[N\] of the stops of a spring or an actuator on its second point, along the line, positive where it pushes them apart.
     Stop,
+    /// Current of a motor \[A\].
+    Current,
 }
 
 /// What reaches the ground.
@@ -305,6 +307,7 @@ impl LoadQuantity {
             LoadQuantity::Angle => "rad",
             LoadQuantity::Omega => "rad/s",
             LoadQuantity::Power => "W",
+            LoadQuantity::Current => "A",
         }
     }
 
@@ -319,6 +322,7 @@ impl LoadQuantity {
             | LoadQuantity::F
             | LoadQuantity::Omega
             | LoadQuantity::Power
+            | LoadQuantity::Current
             | LoadQuantity::Stop => None,
         }
     }

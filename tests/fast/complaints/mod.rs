@@ -60,7 +60,7 @@ const GEAR: &str = r#""axis": [1, 0] },
     "g": { "type": "gear", "between": ["crank.O", "rocker.Q"], "ratio": -2 }"#;
 
 /// The bad models by theme.
-const CASES: [&[Case]; 13] = [
+const CASES: [&[Case]; 14] = [
     cases::words::CASES,
     cases::yielding::CASES,
     cases::expressions::CASES,
@@ -72,6 +72,7 @@ const CASES: [&[Case]; 13] = [
     cases::analysis::CASES,
     cases::syntax::CASES,
     cases::tolerances::CASES,
+    cases::parts::CASES,
     cases::sets::CASES,
     cases::slips::CASES,
 ];

@@ -129,6 +129,37 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
                 numbers.extend([stiffness, damping]);
                 of_value(free, &mut numbers);
             }
+            ForceKind::GasSpring {
+                force,
+                extended,
+                stroke,
+                progression,
+                exponent,
+                damping,
+                ..
+            } => numbers.extend([force, extended, stroke, progression, exponent, damping]),
+            ForceKind::Cylinder {
+                bore,
+                rod,
+                pressure,
+                rod_pressure,
+                ..
+            } => {
+                numbers.extend([bore, rod]);
+                of_value(pressure, &mut numbers);
+                of_value(rod_pressure, &mut numbers);
+            }
+            ForceKind::DcMotor {
+                voltage,
+                torque_constant,
+                resistance,
+                inductance,
+                gear,
+                ..
+            } => {
+                numbers.extend([torque_constant, resistance, inductance, gear]);
+                of_value(voltage, &mut numbers);
+            }
             ForceKind::Load { vector, .. } => {
                 vector
                     .iter_mut()
@@ -250,13 +281,19 @@ pub fn names(model: &mut Model) -> Vec<&mut String> {
     }
     for force in model.forces.values_mut() {
         match &mut force.kind {
-            ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
+            ForceKind::Spring { between, .. }
+            | ForceKind::Actuator { between, .. }
+            | ForceKind::GasSpring { between, .. }
+            | ForceKind::Cylinder { between, .. } => {
                 names.extend(between.iter_mut().flat_map(of_point));
             }
             ForceKind::Cable { through, .. } => names.extend(through.iter_mut().flat_map(of_point)),
             ForceKind::TorsionSpring { between, .. } => names.extend(between),
             ForceKind::Load { at, .. } => names.extend(of_point(at)),
             ForceKind::Torque {
+                body, relative_to, ..
+            }
+            | ForceKind::DcMotor {
                 body, relative_to, ..
             } => {
                 names.push(body);

@@ -37,6 +37,9 @@ fn add_loads(model: &Model, derived: &Trajectory, outcome: &Outcome, sums: &mut 
             }
             ForceKind::Torque {
                 relative_to: None, ..
+            }
+            | ForceKind::DcMotor {
+                relative_to: None, ..
             } => {
                 let torque = derived
                     .values(&format!("force.{force}.torque"))
@@ -46,6 +49,9 @@ fn add_loads(model: &Model, derived: &Trajectory, outcome: &Outcome, sums: &mut 
                     .for_each(|(sum, torque)| sum[2] += torque);
             }
             ForceKind::Torque { .. }
+            | ForceKind::DcMotor { .. }
+            | ForceKind::GasSpring { .. }
+            | ForceKind::Cylinder { .. }
             | ForceKind::Spring { .. }
             | ForceKind::Actuator { .. }
             | ForceKind::Cable { .. }

@@ -4,7 +4,7 @@
 //! spring, actuator   l = |d|, l̇, F = u·f, f, P        d = P₂ − P₁, u = d/l, f the force on the second body, F > 0 pushes apart
 //! torsion spring     β = θ₂ − θ₁, β̇, T, P              T on the second body
 //! cable              L = Σ lᵢ, L̇, T, P = −T L̇          T pulls
-//! force, torque      f or T on the body, P
+//! force, torque      f or T on the body, P; of a motor the current i = T/(k g), too
 //! any                P = Qᵀ v                          Q its generalized forces (n): work by time done on the mechanism
 //! joint              θ₂ − θ₁, s = a·d, their rates, |f|
 //! ```
@@ -96,6 +96,9 @@ fn of_force(role: &ForceRole, contents: Contents) -> impl Iterator<Item = LoadQu
         LoadQuantity::Fx | LoadQuantity::Fy => pushes,
         LoadQuantity::Torque => !pushes,
         LoadQuantity::Power => contents.velocities,
+        LoadQuantity::Current => {
+            matches!(role, ForceRole::Torque { by_current, .. } if by_current.is_some())
+        }
         // it stands among the rows
         LoadQuantity::Stop => false,
     })
@@ -183,6 +186,17 @@ impl<'s> Acting<'s> {
                 _ => f64::NAN,
             };
         }
+        if let (
+            LoadQuantity::Current,
+            ForceRole::Torque {
+                value,
+                by_current: Some(by_current),
+                ..
+            },
+        ) = (quantity, &system.force_data[force].role)
+        {
+            return value.value(&at) / by_current;
+        }
         if quantity == LoadQuantity::Power {
             return dot(&self.pull, &self.replay.v);
         }
@@ -225,6 +239,7 @@ impl<'s> Acting<'s> {
             | LoadQuantity::Angle
             | LoadQuantity::Omega
             | LoadQuantity::Power
+            | LoadQuantity::Current
             | LoadQuantity::Stop => f64::NAN,
         }
     }

@@ -61,10 +61,10 @@ impl<'s> Loads<'s> {
         if let Some(replay) = &mut self.replay {
             replay.take(row);
         }
-        let value = |strength: &Strength| match (strength, &self.replay) {
-            (Strength::OfTime(law), _) => law.jet(row[0])[0],
-            (Strength::OfMotion(_), Some(replay)) => strength.value(&replay.kinematics()),
-            (Strength::OfMotion(_), None) => f64::NAN,
+        let value = |strength: &Strength| match (strength.of_time(row[0]), &self.replay) {
+            (Some(value), _) => value,
+            (None, Some(replay)) => strength.value(&replay.kinematics()),
+            (None, None) => f64::NAN,
         };
         for load in &self.loads {
             match load {

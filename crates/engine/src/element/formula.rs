@@ -58,6 +58,8 @@ pub enum Strength {
     OfTime(Law),
     /// f(t, q, v)
     OfMotion(Arc<Formula>),
+    /// Σ cᵢ fᵢ
+    Sum(Vec<(f64, Strength)>),
 }
 
 impl Strength {
@@ -66,6 +68,21 @@ impl Strength {
         match self {
             Strength::OfTime(law) => law.jet(at.time)[0],
             Strength::OfMotion(formula) => formula.value(at),
+            Strength::Sum(parts) => parts.iter().map(|(by, part)| by * part.value(at)).sum(),
+        }
+    }
+
+    /// Its value in SI, where time alone says it.
+    pub fn of_time(&self, time: f64) -> Option<f64> {
+        match self {
+            Strength::OfTime(law) => Some(law.jet(time)[0]),
+            Strength::OfMotion(_) => None,
+            Strength::Sum(parts) => {
+                let values = parts
+                    .iter()
+                    .map(|(by, part)| Some(by * part.of_time(time)?));
+                values.sum()
+            }
         }
     }
 
@@ -74,13 +91,26 @@ impl Strength {
         match self {
             Strength::OfTime(_) => Vec::new(),
             Strength::OfMotion(formula) => formula.columns(),
+            Strength::Sum(parts) => parts.iter().flat_map(|(_, part)| part.columns()).collect(),
         }
     }
 
     /// Tells its derivatives by these coordinates and by their rates, one by one.
     pub fn each_slope(&self, at: &Kinematics, mut tell: impl FnMut([f64; 2])) {
-        if let Strength::OfMotion(formula) = self {
-            formula.each_slope(at, &mut tell);
+        self.tell_slopes(at, 1.0, &mut tell);
+    }
+
+    fn tell_slopes(&self, at: &Kinematics, by: f64, tell: &mut impl FnMut([f64; 2])) {
+        match self {
+            Strength::OfTime(_) => {}
+            Strength::OfMotion(formula) => {
+                formula.each_slope(at, &mut |slopes: [f64; 2]| tell(slopes.map(|one| by * one)));
+            }
+            Strength::Sum(parts) => {
+                for (own, part) in parts {
+                    part.tell_slopes(at, by * own, tell);
+                }
+            }
         }
     }
 }

@@ -121,6 +121,8 @@ pub enum ForceRole {
         value: Strength,
         /// The body, and the one that exerts the torque; `None` if it comes from outside.
         between: Option<[BodyId; 2]>,
+        /// Of a motor, its torque by the current [N·m/A].
+        by_current: Option<f64>,
     },
 }
 

@@ -1,8 +1,7 @@
 //! Integrated states of a model.
 
 use super::System;
-use crate::element::formula::Formula;
-use std::sync::Arc;
+use crate::element::formula::Strength;
 
 /// An integrated state.
 #[derive(Clone)]
@@ -14,7 +13,7 @@ pub(crate) struct StateData {
     /// Its value at t = 0.
     pub start: f64,
     /// Its rate.
-    pub rate: Arc<Formula>,
+    pub rate: Strength,
 }
 
 impl System {

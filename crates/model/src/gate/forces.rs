@@ -18,12 +18,16 @@ pub(super) fn forces(rules: &mut Rules<'_>) {
             cable(rules, through, &path);
         }
         super::stops::stroke(rules, force, &path);
+        super::parts::part(rules, &force.kind, &path);
         let known = |key: &str| !rules.holes.has(&format!("{path}.{key}"));
         let idle = match &force.kind {
             ForceKind::Load { at, .. } if at.body == GROUND && known("at") => {
                 Some(("at", "ground is fixed: the force moves nothing"))
             }
             ForceKind::Torque {
+                body, relative_to, ..
+            }
+            | ForceKind::DcMotor {
                 body, relative_to, ..
             } if known("body") && known("relative_to") => {
                 match relative_to.as_deref().unwrap_or(GROUND) {
@@ -37,6 +41,9 @@ pub(super) fn forces(rules: &mut Rules<'_>) {
             }
             ForceKind::Spring { .. }
             | ForceKind::Actuator { .. }
+            | ForceKind::GasSpring { .. }
+            | ForceKind::Cylinder { .. }
+            | ForceKind::DcMotor { .. }
             | ForceKind::Cable { .. }
             | ForceKind::TorsionSpring { .. }
             | ForceKind::Load { .. }

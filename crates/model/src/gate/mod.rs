@@ -16,6 +16,7 @@ mod names;
 mod optimise;
 mod outlines;
 mod outputs;
+mod parts;
 mod ranges;
 mod responses;
 mod states;

@@ -49,7 +49,7 @@ pub(super) fn stroke(rules: &mut Rules<'_>, force: &Force, path: &str) {
         ("stop_damping", stroke.stop_damping),
     ];
     let said = |length: f64| rules.model.display.length(length);
-    let fault = match (stroke.limits, stroke.stop_stiffness) {
+    let fault = match (force.limits(), stroke.stop_stiffness) {
         (None, _) => given.iter().find(|(_, value)| value.is_some()).map(|(key, _)| (
             *key,
             "is of the stops at its limits, and there are no \"limits\"".to_owned(),
@@ -60,7 +60,9 @@ pub(super) fn stroke(rules: &mut Rules<'_>, force: &Force, path: &str) {
             "neither end is given".to_owned(),
             "give one of them, or leave \"limits\" out",
         )),
-        (Some([Some(lower), _]), _) if lower <= 0.0 => Some((
+        // one of a gas spring is told with its own words
+        (Some(_), _) if stroke.limits.is_none() && stroke.stop_stiffness.is_none() && stroke.stop_damping.is_none() => None,
+        (Some([Some(lower), _]), _) if lower <= 0.0 && stroke.limits.is_some() => Some((
             "limits",
             format!("the lower limit {} is no length that its points could come to", said(lower)),
             "a distance is above 0: give a greater one, or null where the stroke has no end",

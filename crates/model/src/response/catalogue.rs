@@ -19,6 +19,7 @@ pub struct Catalogue {
     pub(super) loads: Vec<Load>,
     pub(super) springs: Vec<Load>,
     pub(super) cables: Vec<Load>,
+    pub(super) motors: Vec<Load>,
     /// With the dimension of each that can be read.
     pub(super) outputs: Vec<(String, Option<Powers>)>,
     /// Tables with the dimensions of their columns.
@@ -81,9 +82,11 @@ impl Catalogue {
             let (list, turns) = match force.kind {
                 ForceKind::Load { .. } => (&mut catalogue.loads, false),
                 ForceKind::Torque { .. } => (&mut catalogue.loads, true),
-                ForceKind::Spring { .. } | ForceKind::Actuator { .. } => {
-                    (&mut catalogue.springs, false)
-                }
+                ForceKind::DcMotor { .. } => (&mut catalogue.motors, true),
+                ForceKind::Spring { .. }
+                | ForceKind::Actuator { .. }
+                | ForceKind::GasSpring { .. }
+                | ForceKind::Cylinder { .. } => (&mut catalogue.springs, false),
                 ForceKind::TorsionSpring { .. } => (&mut catalogue.springs, true),
                 ForceKind::Cable { .. } => (&mut catalogue.cables, false),
             };
@@ -91,7 +94,7 @@ impl Catalogue {
             list.push(Load {
                 name,
                 turns,
-                stops: force.stroke.limits.is_some(),
+                stops: force.limits().is_some(),
             });
         }
         let analysis = model.analysis.as_ref();
@@ -175,7 +178,7 @@ impl Catalogue {
         for (name, member) in members("drivers") {
             let dimension = match kind(&member.node).as_deref() {
                 Some("rotation") => Some(Dimension::Angle),
-                Some("translation" | "length") => Some(Dimension::Length),
+                Some("translation" | "length" | "point") => Some(Dimension::Length),
                 _ => None,
             };
             catalogue.drivers.push((name.clone(), dimension));
@@ -184,12 +187,16 @@ impl Catalogue {
             let (list, turns) = match kind(&member.node).as_deref() {
                 Some("force") => (&mut catalogue.loads, false),
                 Some("torque") => (&mut catalogue.loads, true),
-                Some("spring" | "actuator") => (&mut catalogue.springs, false),
+                Some("dc_motor") => (&mut catalogue.motors, true),
+                Some("spring" | "actuator" | "gas_spring" | "cylinder") => {
+                    (&mut catalogue.springs, false)
+                }
                 Some("torsion_spring") => (&mut catalogue.springs, true),
                 Some("cable") => (&mut catalogue.cables, false),
                 _ => continue,
             };
-            let (name, stops) = (name.clone(), member.node.get("limits").is_some());
+            let stops = member.node.get("limits").is_some() || member.node.get("stroke").is_some();
+            let name = name.clone();
             list.push(Load { name, turns, stops });
         }
         let wanted = root

@@ -48,6 +48,7 @@ const TORQUE: [&str; 2] = ["torque", "power"];
 const SPRING: [&str; 6] = ["length", "rate", "f", "fx", "fy", "power"];
 /// Of springs and actuators with limits.
 const STROKE: [&str; 7] = ["length", "rate", "f", "fx", "fy", "power", "stop"];
+const MOTOR: [&str; 3] = ["torque", "power", "current"];
 const CABLE: [&str; 4] = ["length", "rate", "f", "power"];
 const TORSION: [&str; 4] = ["angle", "omega", "torque", "power"];
 /// Of joints that turn, that slide, and of all.
@@ -62,6 +63,7 @@ fn shown(word: &str) -> Option<Powers> {
     let dimension = match word {
         "length" | "slide" | "contact_x" | "contact_y" => Dimension::Length,
         "curvature" => return Some(powers(-1, 0, 0, 0)),
+        "current" => return Some(Powers::default()),
         "rate" => Dimension::Velocity,
         "angle" | "pressure_angle" => Dimension::Angle,
         "omega" => Dimension::AngularVelocity,
@@ -210,6 +212,11 @@ impl Catalogue {
         loads
             .chain(springs)
             .chain(cables.map(|one| (one.name.as_str(), &CABLE[..])))
+            .chain(
+                self.motors
+                    .iter()
+                    .map(|one| (one.name.as_str(), &MOTOR[..])),
+            )
     }
 
     /// The dimension of ratio or advantage.

@@ -297,9 +297,11 @@ impl Quantity for EnergyQuantity {
 
 impl LoadQuantity {
     /// Every one, in the order of results.
-    pub const ALL: [LoadQuantity; 10] = {
-        use LoadQuantity::{Angle, F, Fx, Fy, Length, Omega, Power, Rate, Stop, Torque};
-        [Length, Rate, Angle, Omega, F, Fx, Fy, Torque, Power, Stop]
+    pub const ALL: [LoadQuantity; 11] = {
+        use LoadQuantity::{Angle, Current, F, Fx, Fy, Length, Omega, Power, Rate, Stop, Torque};
+        [
+            Length, Rate, Angle, Omega, F, Fx, Fy, Torque, Power, Stop, Current,
+        ]
     };
 
     /// The last word of the column's name.
@@ -315,6 +317,7 @@ impl LoadQuantity {
             LoadQuantity::Omega => "omega",
             LoadQuantity::Power => "power",
             LoadQuantity::Stop => "stop",
+            LoadQuantity::Current => "current",
         }
     }
 }

@@ -47,7 +47,7 @@ impl Shape {
         for (name, force) in &model.forces {
             shape.add_force(&numbers, name, &force.kind);
             // what has a stroke is the last one
-            if let (Some(limits), Some(spring)) = (force.stroke.limits, shape.springs.last_mut()) {
+            if let (Some(limits), Some(spring)) = (force.limits(), shape.springs.last_mut()) {
                 spring.limits = Some(limits);
             }
         }
@@ -69,7 +69,9 @@ impl Shape {
                 damped: *stiffness != 0.0 && *damping != 0.0,
                 ..Spring::default()
             }),
-            ForceKind::Actuator { between, .. } => self.springs.push(Spring {
+            ForceKind::Actuator { between, .. }
+            | ForceKind::GasSpring { between, .. }
+            | ForceKind::Cylinder { between, .. } => self.springs.push(Spring {
                 name,
                 between: numbers.ends(between),
                 actuator: true,
@@ -104,11 +106,13 @@ impl Shape {
                     ..Load::default()
                 });
             }
-            ForceKind::Torque { body, .. } => self.loads.push(Load {
-                name,
-                body: numbers.body(body),
-                ..Load::default()
-            }),
+            ForceKind::Torque { body, .. } | ForceKind::DcMotor { body, .. } => {
+                self.loads.push(Load {
+                    name,
+                    body: numbers.body(body),
+                    ..Load::default()
+                })
+            }
         }
     }
 }

@@ -9,6 +9,7 @@ pub mod drivers;
 pub mod expressions;
 pub mod joints;
 pub mod laws;
+pub mod parts;
 pub mod sets;
 pub mod slips;
 pub mod syntax;

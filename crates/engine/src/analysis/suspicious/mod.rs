@@ -15,9 +15,7 @@ use crate::system::compile::law;
 use bodies::{DIGITS, extent, moving};
 use linkdyn_model::display::number;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{
-    Analysis, AnalysisKind, DriverKind, ForceKind, GROUND, JointKind, Model, Motion, Value,
-};
+use linkdyn_model::{Analysis, AnalysisKind, DriverKind, GROUND, JointKind, Model, Motion, Value};
 pub(super) use times::tables;
 
 /// One mass of all may be this times larger or smaller than the middle one [–].
@@ -255,7 +253,7 @@ fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
         }
     }
     for (name, force) in &model.forces {
-        for value in values(&force.kind) {
+        for (_, value, _) in force.kind.values() {
             if let Value::Motion(Motion::Harmonic { frequency, .. }) = value {
                 look(
                     format!("forces.{name}"),
@@ -264,23 +262,5 @@ fn speeds(model: &Model, analysis: &Analysis, found: &mut Vec<Complaint>) {
                 );
             }
         }
-    }
-}
-
-/// What of a force follows a law of time.
-fn values(kind: &ForceKind) -> Vec<&Value> {
-    match kind {
-        ForceKind::Spring {
-            free_length: value, ..
-        }
-        | ForceKind::Cable {
-            free_length: value, ..
-        }
-        | ForceKind::TorsionSpring {
-            free_angle: value, ..
-        }
-        | ForceKind::Torque { value, .. }
-        | ForceKind::Actuator { force: value, .. } => vec![value],
-        ForceKind::Load { vector, .. } => vector.iter().collect(),
     }
 }

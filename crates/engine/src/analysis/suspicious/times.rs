@@ -2,7 +2,7 @@
 
 use super::bodies::DIGITS;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{ForceKind, Model, Motion, Value};
+use linkdyn_model::{Model, Motion, Value};
 
 /// A run that sees less of a table than this part is rarely meant; crank degrees, milliseconds and minutes taken for seconds
 /// are beyond it [–].
@@ -29,25 +29,9 @@ pub(in crate::analysis) fn tables(model: &Model, end: f64) -> Vec<Complaint> {
         look(format!("drivers.{name}.motion"), &driver.motion);
     }
     for (name, force) in &model.forces {
-        let path = format!("forces.{name}");
-        let values: Vec<(String, &Value)> = match &force.kind {
-            ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
-                vec![(format!("{path}.free_length"), free_length)]
-            }
-            ForceKind::TorsionSpring { free_angle, .. } => {
-                vec![(format!("{path}.free_angle"), free_angle)]
-            }
-            ForceKind::Torque { value, .. } => vec![(format!("{path}.value"), value)],
-            ForceKind::Actuator { force, .. } => vec![(format!("{path}.force"), force)],
-            ForceKind::Load { vector, .. } => vector
-                .iter()
-                .enumerate()
-                .map(|(k, value)| (format!("{path}.vector[{k}]"), value))
-                .collect(),
-        };
-        for (path, value) in values {
+        for (key, value, _) in force.kind.values() {
             if let Value::Motion(motion) = value {
-                look(path, motion);
+                look(format!("forces.{name}.{key}"), motion);
             }
         }
     }

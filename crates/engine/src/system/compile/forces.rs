@@ -123,6 +123,17 @@ impl Compiler<'_> {
                 };
                 (Arc::new(actuator), self.spring_role(kind, between))
             }
+            ForceKind::GasSpring { between, .. } | ForceKind::Cylinder { between, .. } => {
+                let [first, second] = between.each_ref().map(|end| self.marker(end));
+                let force = self.push(kind);
+                let actuator = Actuator {
+                    first,
+                    second,
+                    force,
+                };
+                let between = [first.body, second.body];
+                (Arc::new(actuator), self.spring_role(kind, between))
+            }
             ForceKind::Cable { .. } => unreachable!("cables are compiled stretch by stretch"),
             ForceKind::TorsionSpring {
                 between,
@@ -147,18 +158,37 @@ impl Compiler<'_> {
                 value,
                 relative_to,
             } => {
-                let body = self.body(body);
-                let other = relative_to.as_deref().map(|name| self.body(name));
                 let value = self.strength(value);
-                let torque = Torque {
-                    body,
-                    relative_to: other.unwrap_or(BodyId::GROUND),
-                    value: value.clone(),
-                };
-                let between = other.map(|other| [body, other]);
-                (Arc::new(torque), ForceRole::Torque { value, between })
+                self.lower_torque(body, relative_to.as_deref(), (value, None))
+            }
+            ForceKind::DcMotor {
+                body, relative_to, ..
+            } => {
+                let value = self.motor(kind);
+                self.lower_torque(body, relative_to.as_deref(), value)
             }
         }
+    }
+
+    fn lower_torque(
+        &self,
+        body: &str,
+        relative_to: Option<&str>,
+        (value, by_current): (Strength, Option<f64>),
+    ) -> Lowered {
+        let body = self.body(body);
+        let other = relative_to.map(|name| self.body(name));
+        let torque = Torque {
+            body,
+            relative_to: other.unwrap_or(BodyId::GROUND),
+            value: value.clone(),
+        };
+        let role = ForceRole::Torque {
+            value,
+            between: other.map(|other| [body, other]),
+            by_current,
+        };
+        (Arc::new(torque), role)
     }
 
     fn lower_load(&mut self, at: &PointRef, vector: &[Value; 2], frame: Frame) -> Lowered {
@@ -180,7 +210,10 @@ impl Compiler<'_> {
         ForceRole::Spring {
             between,
             measured: self.stretches(kind)[0],
-            is_actuator: matches!(kind, ForceKind::Actuator { .. }),
+            is_actuator: !matches!(
+                kind,
+                ForceKind::Spring { .. } | ForceKind::TorsionSpring { .. }
+            ),
         }
     }
 }

@@ -69,7 +69,7 @@ impl Compiler<'_> {
         formula
     }
 
-    /// A function of an element that has a kink where a force is zero.
+    /// A function of an element; its kinks are where a force is zero.
     pub(super) fn own_formula(
         &mut self,
         function: Arc<dyn Function>,
@@ -77,7 +77,8 @@ impl Compiler<'_> {
     ) -> Arc<Formula> {
         const FORCE: [f64; 4] = [1.0, 1.0, -2.0, 0.0];
         let before = self.system.formulas.last();
-        self.kinks.push(FORCE);
+        let kinks = std::iter::repeat_n(FORCE, function.kinks());
+        self.kinks.extend(kinks);
         let formula = Arc::new(Formula {
             arguments: arguments.into_iter().enumerate().collect(),
             function,
@@ -97,10 +98,12 @@ impl Compiler<'_> {
                 name: name.clone(),
                 units: state.units(),
                 start: state.start,
-                rate,
+                rate: Strength::OfMotion(rate),
             };
             self.system.states.push(data);
         }
+        let currents = std::mem::take(&mut self.currents);
+        self.system.states.extend(currents);
     }
 
     /// Events that close and open, behind all states.
@@ -314,7 +317,10 @@ impl Compiler<'_> {
             second: self.marker(second),
         };
         match kind {
-            ForceKind::Spring { between, .. } | ForceKind::Actuator { between, .. } => {
+            ForceKind::Spring { between, .. }
+            | ForceKind::Actuator { between, .. }
+            | ForceKind::GasSpring { between, .. }
+            | ForceKind::Cylinder { between, .. } => {
                 vec![distance(&between[0], &between[1])]
             }
             ForceKind::Cable { through, .. } => {
@@ -326,7 +332,9 @@ impl Compiler<'_> {
                 second: self.body(&between[1]),
                 from: 0.0,
             }],
-            ForceKind::Load { .. } | ForceKind::Torque { .. } => Vec::new(),
+            ForceKind::Load { .. } | ForceKind::Torque { .. } | ForceKind::DcMotor { .. } => {
+                Vec::new()
+            }
         }
     }
 

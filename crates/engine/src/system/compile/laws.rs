@@ -2,9 +2,7 @@
 
 use crate::motion::rise::{self, Limits, Segment, Shape};
 use crate::motion::{Law, Pieces, Spline};
-use linkdyn_model::{
-    CamSegment, ForceKind, Interpolation, Model, Motion, Paced, Rise, RiseLaw, Value,
-};
+use linkdyn_model::{CamSegment, Interpolation, Model, Motion, Paced, Rise, RiseLaw, Value};
 
 /// Share of a rise that a ramp takes where none is said: a third each to speed up, to go on, and to slow down \[–\].
 const RAMP: f64 = 1.0 / 3.0;
@@ -161,15 +159,9 @@ pub fn value_law(value: &Value) -> Law {
 /// All laws of a model that have breaks.
 pub fn broken(model: &Model) -> Vec<Law> {
     let drivers = model.drivers.values().map(|driver| law(&driver.motion));
-    let forces = model.forces.values().flat_map(|force| match &force.kind {
-        ForceKind::Spring { free_length, .. } | ForceKind::Cable { free_length, .. } => {
-            vec![value_law(free_length)]
-        }
-        ForceKind::TorsionSpring { free_angle, .. } => vec![value_law(free_angle)],
-        ForceKind::Load { vector, .. } => vector.iter().map(value_law).collect(),
-        ForceKind::Torque { value, .. } | ForceKind::Actuator { force: value, .. } => {
-            vec![value_law(value)]
-        }
+    let forces = model.forces.values().flat_map(|force| {
+        let values = force.kind.values().into_iter();
+        values.map(|(_, value, _)| value_law(value))
     });
     let all = drivers.chain(forces);
     all.filter(Law::has_breaks).collect()

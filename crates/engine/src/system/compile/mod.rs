@@ -10,6 +10,7 @@ mod formulas;
 mod joints;
 mod laws;
 mod needs;
+mod parts;
 mod profiles;
 mod roles;
 mod stops;
@@ -19,7 +20,7 @@ pub use laws::{law, value_law};
 pub use profiles::{Profile, profiles};
 
 use super::rows::{reach, size, spread};
-use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, System};
+use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, StateData, System};
 use crate::element::pair::ContactId;
 use crate::element::{BodyId, Constraint, Layout, Marker, Pose};
 use linkdyn_linear::math::Vec2;
@@ -92,6 +93,8 @@ struct Compiler<'a> {
     closed: HashMap<usize, Arc<dyn Constraint>>,
     /// What events close and open.
     timed: Vec<(ContactId, &'a Timed)>,
+    /// Currents of motors that have an inductance, which stand behind the states of the model.
+    currents: Vec<StateData>,
     system: System,
 }
 
@@ -152,6 +155,7 @@ impl<'a> Compiler<'a> {
             kinks: Vec::new(),
             closed: HashMap::new(),
             timed: Vec::new(),
+            currents: Vec::new(),
             system,
         }
     }

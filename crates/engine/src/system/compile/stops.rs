@@ -55,7 +55,7 @@ impl Compiler<'_> {
                 continue;
             };
             let stops = Stops {
-                limits: stroke.limits,
+                limits: force.limits(),
                 restitution: stroke.restitution,
                 stiffness: stroke.stop_stiffness,
                 damping: stroke.stop_damping,
