@@ -21,6 +21,8 @@ fn values_between_rows_are_those_of_the_motion() {
         "rad",
         1e-12,
     );
+    // nothing has every unit
+    holds("at(driver.motor, crank.A.x = 0)", PI / 2.0, "rad", 1e-12);
     holds(
         "at(abs(piston.x - 0.2 m), t = 0.11 s)",
         x(39.6) - 0.2,

@@ -2,7 +2,7 @@
 
 use super::compiled::{Compiled, Constants, From, Input, Over, Reduce, Values};
 use super::guess::Guess;
-use super::number::Binary;
+use super::number::{Binary, Number};
 use super::parse::EQUATIONS;
 use super::program::{Do, Program};
 use super::quantity::{Fault, Quantity};
@@ -303,10 +303,16 @@ fn equation(taken: Vec<Part>) -> Result<Part, Placed> {
     let Ok([left, right]) = <[Part; 2]>::try_from(taken) else {
         return Err(missing());
     };
-    let compared = left
-        .quantity
-        .two(&right.quantity, Binary::Min)
-        .map_err(|fault| (None, fault))?;
+    // nothing is nothing in every unit
+    let is_zero = |part: &Part| {
+        part.over.is_none() && part.quantity.is_pure() && part.quantity.value.is_zero()
+    };
+    let compared = match (is_zero(&left), is_zero(&right)) {
+        (_, true) => Ok(left.quantity.clone()),
+        (true, false) => Ok(right.quantity.clone()),
+        (false, false) => left.quantity.two(&right.quantity, Binary::Min),
+    };
+    let compared = compared.map_err(|fault| (None, fault))?;
     Ok(Part {
         at,
         over,

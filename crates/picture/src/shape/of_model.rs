@@ -47,7 +47,7 @@ impl Shape {
         for (name, force) in &model.forces {
             shape.add_force(&numbers, name, &force.kind);
             // what has a stroke is the last one
-            if let (Some(limits), Some(spring)) = (force.limits(), shape.springs.last_mut()) {
+            if let (Some(limits), Some(spring)) = (force.stroke.limits, shape.springs.last_mut()) {
                 spring.limits = Some(limits);
             }
         }
