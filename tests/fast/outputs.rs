@@ -412,3 +412,65 @@ fn rows_have_the_columns_alone_that_are_asked_for_where_nothing_else_is_read() {
     let [whole, asked] = run("four-bar", &[columns, response]);
     assert_eq!(asked.all().width(), whole.all().width());
 }
+
+/// By the theorem of Kennedy and Aronhold: of the rod over the piston on the line of the crank, of crank and piston on the
+/// perpendicular to the guide through the crank's pin, at the piston's velocity by that of the crank.
+#[test]
+fn bodies_turn_about_their_instant_centres() {
+    let outputs = json!({
+        "rx": "centre(rod, ground).x", "ry": "centre( 'rod' , ground ).y",
+        "pin_x": "centre(crank, rod).x", "pin_y": "centre(rod, crank).y",
+        "px": "centre(crank, piston).x", "py": "centre(crank, piston).y",
+        "none": "centre(piston, ground).y" });
+    let motion = json!({ "type": "constant_velocity", "start": 0.3, "velocity": TAU / 5.0 });
+    let mut model = crank(&motion, &outputs);
+    model["responses"] = json!({ "high": "max(output.ry)" });
+    model["analysis"]["end"] = json!(0.9);
+    let outcome = run(&model);
+    let of = |name: &str| outcome.trajectory.values(name).expect("a column");
+    let angles = of("crank.angle");
+    let each =
+        |place: &dyn Fn(f64) -> f64| -> Vec<f64> { angles.iter().map(|&a| place(a)).collect() };
+    near(&of("output.rx"), &each(&|a| piston(a)[0]), 1e-12);
+    near(&of("output.ry"), &each(&|a| piston(a)[0] * a.tan()), 1e-11);
+    near(&of("output.pin_x"), &each(&|a| R * a.cos()), 1e-12);
+    near(&of("output.pin_y"), &each(&|a| R * a.sin()), 1e-12);
+    near(&of("output.px"), &vec![0.0; angles.len()], 1e-12);
+    near(&of("output.py"), &each(&|a| -piston(a)[1]), 1e-12);
+    assert!(of("output.none").iter().all(|cell| cell.is_nan()));
+    let warnings = outcome.report.warnings.join("\n");
+    assert!(
+        warnings.contains(
+            "output.none is empty in all rows: its bodies do not turn against each other there"
+        ),
+        "{warnings}"
+    );
+}
+
+#[test]
+fn centres_of_nothing_are_refused() {
+    for (text, said) in [
+        (
+            "centre(rod, ground)",
+            "this is no coordinate of an instant centre",
+        ),
+        (
+            "centre(rod).x",
+            "this is no coordinate of an instant centre",
+        ),
+        (
+            "centre(rod, ground).angle",
+            "this is no coordinate of an instant centre",
+        ),
+        ("centre(rot, ground).x", "there is no body \"rot\""),
+        ("centre(rod, rod).y", "both are \"rod\""),
+    ] {
+        let model = crank(&turning(), &json!({ "one": text }));
+        let complaints = load(model.to_string().as_bytes(), &[]).expect_err(text);
+        let found = complaints.to_string();
+        assert!(
+            found.contains(said) && found.contains("outputs.one"),
+            "{found}"
+        );
+    }
+}

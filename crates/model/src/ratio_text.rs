@@ -1,26 +1,73 @@
 //! The text of an output.
 //!
 //! ```text
-//! ratio = "d(" name ")" "/" "d(" name ")"      name as formulas have it, or in single quotes
+//! ratio  = "d(" name ")" "/" "d(" name ")"     name as formulas have it, or in single quotes
+//! centre = "centre(" body "," body ")." ("x" | "y")
 //! ```
 
+use crate::GROUND;
 use crate::dimension::Dimension;
 use crate::error::Complaint;
-use crate::formula::{Argument, Order};
+use crate::formula::{Argument, Coordinate, Order};
 use crate::node::excerpt;
-use crate::ratio::Ratio;
+use crate::ratio::{Centre, OutputText, Ratio};
 use crate::response::Catalogue;
 use crate::suggest;
 
 /// What an output looks like.
 const EXAMPLE: &str = "as in d(axle.y)/d(force.shock.length)";
 
-impl Ratio {
+impl OutputText {
     /// Reads the text of an output.
     ///
     /// # Errors
     /// What is wrong with it, at no path.
-    pub fn read(text: &str, catalogue: &Catalogue) -> Result<Ratio, Complaint> {
+    pub fn read(text: &str, catalogue: &Catalogue) -> Result<Self, Complaint> {
+        match text.trim_start().strip_prefix("centre") {
+            Some(rest) => centre(rest, catalogue).map(OutputText::Centre),
+            None => Ratio::read(text, catalogue).map(OutputText::Ratio),
+        }
+    }
+}
+
+/// What stands behind `centre`.
+fn centre(text: &str, catalogue: &Catalogue) -> Result<Centre, Complaint> {
+    let malformed = || {
+        let said = Complaint::new("", "this is no coordinate of an instant centre");
+        said.hint("as in centre(coupler, ground).x")
+    };
+    let inside = text.trim_start().strip_prefix('(').ok_or_else(malformed)?;
+    let (inside, word) = inside.rsplit_once(')').ok_or_else(malformed)?;
+    let (first, second) = inside.split_once(',').ok_or_else(malformed)?;
+    let coordinate = match word.trim().strip_prefix('.').map(str::trim_start) {
+        Some("x") => Coordinate::X,
+        Some("y") => Coordinate::Y,
+        _ => return Err(malformed()),
+    };
+    let bodies = [first, second].map(|name| name.trim().trim_matches('\'').to_owned());
+    for name in &bodies {
+        if name != GROUND && !catalogue.bodies.contains(name) {
+            let said = Complaint::new("", format!("there is no body {:?}", excerpt(name)));
+            let known = catalogue.bodies.iter().map(String::as_str).chain([GROUND]);
+            return Err(match suggest::nearest(name, known) {
+                Some(near) => said.hint(format!("did you mean {near:?}?")),
+                None => said,
+            });
+        }
+    }
+    if bodies[0] == bodies[1] {
+        let said = Complaint::new("", format!("both are {:?}", bodies[0]));
+        return Err(said.hint("a body turns about another one, as in centre(coupler, ground).x"));
+    }
+    Ok(Centre { bodies, coordinate })
+}
+
+impl Ratio {
+    /// Reads a ratio.
+    ///
+    /// # Errors
+    /// What is wrong with it, at no path.
+    fn read(text: &str, catalogue: &Catalogue) -> Result<Ratio, Complaint> {
         let malformed = || Complaint::new("", "this is no ratio of two velocities").hint(EXAMPLE);
         let (first, rest) = differential(text).ok_or_else(malformed)?;
         let rest = rest.trim_start().strip_prefix('/').ok_or_else(malformed)?;

@@ -6,6 +6,13 @@
 //! dA/dB = (∂A/∂q t)/(∂B/∂q t)
 //! ```
 //!
+//! Bodies i and j turn about each other at P, where their velocities are the same:
+//!
+//! ```text
+//! w + ω k × P = 0          ω = ωᵢ − ωⱼ,  w = vᵢ − ωᵢ k × cᵢ − (vⱼ − ωⱼ k × cⱼ)
+//! P = k × w/ω              v, c velocity and place of the centres of mass along t
+//! ```
+//!
 //! t is the tangent of the curve on which the mechanism moves, so that the ratio does not depend on how fast it moves there, and
 //! exists where a driver stands still or can't drive. Where B does not change along t, as at a dead point of it, there is no ratio:
 //! the cell is empty. So it is where the joints leave more than one motion, as at a change point. Against closed forms and
@@ -16,7 +23,9 @@ use super::rows::{Columns, Replay};
 use crate::element::Kinematics;
 use crate::element::quantity::{Measured, Quantity};
 use crate::element::span::BOTH;
-use crate::system::{DriverId, System};
+use crate::element::{Axis, BodyId};
+use crate::system::{DriverId, OutputKind, System};
+use linkdyn_linear::math::{Vec2, perp};
 use linkdyn_output::{Channel, Column};
 
 /// Part of the largest motion of the mechanism below which a quantity does not change: round-off of the tangent.
@@ -38,12 +47,60 @@ struct SumPart {
     scale: f64,
 }
 
+/// What an output is made of.
+enum Composed {
+    Ratio([SumPart; 2]),
+    Centre { bodies: [BodyId; 2], axis: Axis },
+}
+
+impl Composed {
+    fn new(system: &System, kind: &OutputKind) -> Self {
+        match kind {
+            OutputKind::Ratio(sums) => {
+                Composed::Ratio(sums.each_ref().map(|sum| SumPart::new(system, sum)))
+            }
+            OutputKind::Centre { bodies, axis } => Composed::Centre {
+                bodies: *bodies,
+                axis: *axis,
+            },
+        }
+    }
+
+    /// Its value along a motion; `None` where what it divides by stands still.
+    fn along(&self, system: &System, at: &Kinematics, tangent: &[f64]) -> Option<f64> {
+        match self {
+            Composed::Ratio(parts) => {
+                let [above, below] = parts.each_ref().map(|part| part.along(at, tangent));
+                (below.abs() > NO_MOTION * parts[1].scale).then(|| above / below)
+            }
+            Composed::Centre { bodies, axis } => {
+                let velocity = |body: BodyId, axis| {
+                    let column = system.layout.column(body, axis);
+                    column.map_or(0.0, |column| tangent[column])
+                };
+                let [(first, w), (second, v)] = bodies.map(|body| {
+                    let omega = velocity(body, Axis::Theta);
+                    let center = Vec2::new(velocity(body, Axis::X), velocity(body, Axis::Y));
+                    (omega, center - perp(at.poses[body.0].r) * omega)
+                });
+                let omega = first - second;
+                let place = perp(w - v) / omega;
+                let coordinate = match axis {
+                    Axis::X => place.x,
+                    Axis::Y | Axis::Theta => place.y,
+                };
+                (omega.abs() > NO_MOTION).then_some(coordinate)
+            }
+        }
+    }
+}
+
 /// One output, and in how many rows it is empty.
 struct Ratio {
     output: usize,
     /// The driver that moves alone, where there are others.
     by: Option<DriverId>,
-    parts: [SumPart; 2],
+    parts: Composed,
     still: usize,
     free: usize,
 }
@@ -97,10 +154,7 @@ impl<'s> Ratios<'s> {
                 by: system.outputs[output]
                     .by
                     .filter(|_| system.drivers.len() > 1),
-                parts: system.outputs[output]
-                    .quantities
-                    .each_ref()
-                    .map(|sum| SumPart::new(system, sum)),
+                parts: Composed::new(system, &system.outputs[output].kind),
                 still: 0,
                 free: 0,
             }),
@@ -136,10 +190,9 @@ impl<'s> Ratios<'s> {
                 line.push(f64::NAN);
                 continue;
             };
-            let [above, below] = ratio.parts.each_ref().map(|part| part.along(&at, tangent));
-            let is_still = below.abs() <= NO_MOTION * ratio.parts[1].scale;
-            ratio.still += usize::from(is_still);
-            line.push(if is_still { f64::NAN } else { above / below });
+            let value = ratio.parts.along(system, &at, tangent);
+            ratio.still += usize::from(value.is_none());
+            line.push(value.unwrap_or(f64::NAN));
         }
     }
 
@@ -154,10 +207,11 @@ impl<'s> Ratios<'s> {
         let of = |ratio: &Ratio| {
             let name = &system.outputs[ratio.output].name;
             let still = (ratio.still > 0).then(|| {
-                format!(
-                    "output.{name} is empty {}: what it divides by does not change there",
-                    rows(ratio.still)
-                )
+                let why = match ratio.parts {
+                    Composed::Ratio(_) => "what it divides by does not change there",
+                    Composed::Centre { .. } => "its bodies do not turn against each other there",
+                };
+                format!("output.{name} is empty {}: {why}", rows(ratio.still))
             });
             let free = (ratio.free > 0).then(|| {
                 format!(

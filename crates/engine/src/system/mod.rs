@@ -36,7 +36,8 @@ pub use matrices::{Terms, write_matrix_market};
 pub use pushes::{ForceLaw, Pushes};
 pub(crate) use roles::MeasuredColumn;
 pub use roles::{
-    ClearanceLink, DriverRole, ForceData, ForceRole, JointFriction, JointRole, OutputRatio,
+    ClearanceLink, DriverRole, ForceData, ForceRole, JointFriction, JointRole, OutputKind,
+    OutputRatio,
 };
 pub use rows::{ContactRows, Extent, Owner};
 pub use scale::Scale;

@@ -202,13 +202,27 @@ impl MeasuredColumn {
     }
 }
 
-/// A ratio of two velocities among the results.
+/// What the velocities of an instant say.
+#[derive(Debug, Clone)]
+pub enum OutputKind {
+    /// A ratio of two: what is divided, and by what, sums.
+    Ratio([Vec<Measured>; 2]),
+    /// A coordinate of the instant centre of two bodies.
+    Centre {
+        /// The bodies.
+        bodies: [BodyId; 2],
+        /// Its coordinate.
+        axis: Axis,
+    },
+}
+
+/// An output among the results.
 #[derive(Debug, Clone)]
 pub struct OutputRatio {
     /// As the file names it.
     pub name: String,
-    /// What is divided, and by what: sums.
-    pub(crate) quantities: [Vec<Measured>; 2],
+    /// What it is.
+    pub(crate) kind: OutputKind,
     /// The driver by which it is divided, where it is one: beside others, these are held.
     pub(crate) by: Option<DriverId>,
     /// Of the ratio, in SI.

@@ -2,7 +2,7 @@
 
 use super::Rules;
 use crate::error::Complaint;
-use crate::ratio::Ratio;
+use crate::ratio::OutputText;
 use crate::response::Catalogue;
 
 /// All rules of outputs.
@@ -24,7 +24,7 @@ pub(super) fn outputs(rules: &mut Rules<'_>) {
             rules.complain(path, message, "give the output another name");
             continue;
         }
-        if let Err(complaint) = Ratio::read(text, &catalogue)
+        if let Err(complaint) = OutputText::read(text, &catalogue)
             && is_whole
         {
             rules.complaints.push(Complaint { path, ..complaint });

@@ -2,13 +2,13 @@
 
 use crate::dimension::{Dimension, Powers};
 use crate::node::{Kind, Node};
-use crate::ratio::Ratio;
+use crate::ratio::OutputText;
 use crate::{DriverKind, ForceKind, GROUND, JointKind, Model};
 
 /// What a model consists of, as far as results are named after it.
 #[derive(Debug, Clone, Default)]
 pub struct Catalogue {
-    pub(super) bodies: Vec<String>,
+    pub(crate) bodies: Vec<String>,
     /// Points whose motion is wanted, `body.point`.
     pub(super) points: Vec<String>,
     /// All other points.
@@ -229,7 +229,9 @@ impl Catalogue {
     /// Outputs with their texts.
     fn put_out<'a>(&mut self, outputs: impl Iterator<Item = (&'a str, &'a str)>) {
         for (name, text) in outputs {
-            let powers = Ratio::read(text, self).ok().map(|ratio| ratio.powers());
+            let powers = OutputText::read(text, self)
+                .ok()
+                .map(|output| output.powers());
             self.outputs.push((name.to_owned(), powers));
         }
     }

@@ -8,12 +8,12 @@ use crate::element::quantity::{Measured, Quantity};
 use crate::element::{Axis, BodyId, Marker};
 use crate::motion::{Curve, Law, Shape};
 use crate::system::{
-    DriverId, DriverRole, MeasuredColumn, OutputRatio, StateData, TimedData, Trigger,
+    DriverId, DriverRole, MeasuredColumn, OutputKind, OutputRatio, StateData, TimedData, Trigger,
 };
 use linkdyn_linear::math::{Vec2, perp, unit};
 use linkdyn_model::event::Event;
 use linkdyn_model::formula::{Argument, Coordinate, Order};
-use linkdyn_model::ratio::Ratio;
+use linkdyn_model::ratio::OutputText;
 use linkdyn_model::response::{Catalogue, Fixed, Look, Program, Tangent};
 use linkdyn_model::{ForceKind, Interpolation, PointRef, Table, Value};
 use std::f64::consts::TAU;
@@ -144,7 +144,7 @@ impl Compiler<'_> {
         }
         let catalogue = Catalogue::of(self.model);
         for (name, text) in &self.model.outputs {
-            let ratio = Ratio::read(text, &catalogue).expect("the gate reads each output");
+            let read = OutputText::read(text, &catalogue).expect("the gate reads each output");
             let measured = |quantity| match quantity {
                 Quantity::Value(measured) | Quantity::Rate(measured) => measured,
                 Quantity::Drive(driver) => self.driven(driver),
@@ -156,16 +156,32 @@ impl Compiler<'_> {
                 let quantities = self.quantities(argument).into_iter();
                 quantities.map(measured).collect()
             };
+            let (kind, by) = match &read {
+                OutputText::Ratio(ratio) => (
+                    OutputKind::Ratio(ratio.quantities.each_ref().map(sum)),
+                    match &ratio.quantities[1] {
+                        Argument::Driver(driver) => {
+                            self.model.drivers.get_index_of(driver).map(DriverId)
+                        }
+                        _ => None,
+                    },
+                ),
+                OutputText::Centre(centre) => {
+                    let kind = OutputKind::Centre {
+                        bodies: centre.bodies.each_ref().map(|name| self.body(name)),
+                        axis: match centre.coordinate {
+                            Coordinate::X => Axis::X,
+                            Coordinate::Y | Coordinate::Angle => Axis::Y,
+                        },
+                    };
+                    (kind, None)
+                }
+            };
             let output = OutputRatio {
                 name: name.clone(),
-                quantities: ratio.quantities.each_ref().map(sum),
-                by: match &ratio.quantities[1] {
-                    Argument::Driver(driver) => {
-                        self.model.drivers.get_index_of(driver).map(DriverId)
-                    }
-                    _ => None,
-                },
-                unit: ratio.unit(),
+                kind,
+                by,
+                unit: read.unit(),
             };
             self.system.outputs.push(output);
         }
