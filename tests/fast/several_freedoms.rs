@@ -250,6 +250,23 @@ fn two_motors_of_one_freedom_share_the_work() {
 
 /// A platform of weight W on four driven lengths: efforts e with A e = w, of least norm Aᵀ(A Aᵀ)⁻¹ w.
 #[test]
+fn drivers_of_one_shaft_divide_the_work_by_their_shares() {
+    let law = json!({ "type": "constant_velocity", "start": 1.0, "velocity": 2.0 });
+    let mut model = cranks(Some(law));
+    model["drivers"]["second"]["share"] = json!(3);
+    let run = completed(&model);
+    let [one, three] =
+        ["motor", "second"].map(|name| column(&run, &format!("driver.{name}.effort")));
+    let alone = column(&completed(&cranks(None)), "driver.motor.effort");
+    for row in 0..alone.len() {
+        close(one[row], 0.25 * alone[row], 1e-12);
+        close(three[row], 0.75 * alone[row], 1e-12);
+    }
+    let warnings = run.report.warnings.join("\n");
+    assert!(warnings.contains("each divided by its share"), "{warnings}");
+}
+
+#[test]
 fn four_legs_carry_a_platform_by_least_norm() {
     let feet: [[f64; 2]; 4] = [[-0.5, 0.0], [0.1, -0.1], [0.7, 0.0], [0.9, 0.6]];
     let heads: [[f64; 2]; 4] = [[0.0, 1.0], [0.2, 1.05], [0.6, 1.0], [0.6, 1.1]];

@@ -15,6 +15,8 @@ pub struct Driver {
     pub motion: Motion,
     /// How far the coordinate may be from what the motion says, to either side \[rad or m\].
     pub tolerance: Option<f64>,
+    /// Its part of the work beside other drivers, where these are more than the degrees of freedom \[–\]; left out: 1.
+    pub share: Option<f64>,
 }
 
 /// Which coordinate is prescribed.

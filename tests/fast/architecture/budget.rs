@@ -32,7 +32,7 @@ const fn part(
 
 const PARTS: &[Part] = &[
     part("model", &["crates/model/src"], "rs", 16_860),
-    part("engine", &["crates/engine/src"], "rs", 42_620),
+    part("engine", &["crates/engine/src"], "rs", 42_640),
     part("variation", &["crates/variation/src"], "rs", 5_032),
     part("linear", &["crates/linear/src"], "rs", 3_500),
     part(
@@ -50,7 +50,7 @@ const PARTS: &[Part] = &[
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_330),
     part("python package", &["python/linkdyn"], "py", 1_950),
-    part("tests", &["tests"], "rs", 45_660),
+    part("tests", &["tests"], "rs", 45_700),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

@@ -34,6 +34,7 @@ impl System {
                     Axis::X | Axis::Y => Measure::Length,
                     Axis::Theta => Measure::Angle,
                 },
+                share: 1.0,
             });
             system.push_block(Arc::new(coordinate), Origin::Driver(DriverId(id)));
         }

@@ -110,6 +110,8 @@ pub struct DriverData {
     pub law: Law,
     /// What its value is measured in.
     pub measure: Measure,
+    /// Its part of the work that drivers share \[–\].
+    pub share: f64,
 }
 
 /// A body point among the results.

@@ -115,12 +115,14 @@ pub fn shared(system: &System, freedom: i64) -> Option<String> {
         .iter()
         .map(|driver| driver.name.as_str())
         .collect();
+    let shared_out = system.drivers.iter().any(|driver| driver.share != 1.0);
     let several = if freedom == 1 { "degree" } else { "degrees" };
     (names.len() as i64 > freedom).then(|| {
         format!(
-            "{} drive {freedom} {several} of freedom together: their efforts are those with the least sum of squares, and others, with \
+            "{} drive {freedom} {several} of freedom together: their efforts are those with the least sum of squares{}, and others, with \
              other joint forces, would do as well",
-            listed(&names, " and ")
+            listed(&names, " and "),
+            if shared_out { ", each divided by its share" } else { "" }
         )
     })
 }

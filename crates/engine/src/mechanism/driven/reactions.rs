@@ -2,9 +2,8 @@
 
 use super::motions::TOGETHER;
 use super::{Driven, Failure};
-use crate::system::Inputs;
+use crate::system::{Inputs, System};
 use linkdyn_linear::math::{dot, max_abs};
-use std::ops::Range;
 
 impl Driven<'_> {
     /// Multipliers λ (m) with Jᵀ λ = `b` (n), of least norm where not unique; those of independent coordinates are left out (they vanish in
@@ -27,7 +26,7 @@ impl Driven<'_> {
         self.work = g;
         if self.is_redundant() {
             let basis = self.self_stress();
-            project_out(&basis, self.system.driver_rows(), lambda);
+            project_out(&basis, self.system, lambda);
         }
     }
 
@@ -51,7 +50,7 @@ impl Driven<'_> {
         if self.is_redundant() {
             let basis = self.self_stress();
             for own in inverse.chunks_exact_mut(m) {
-                project_out(&basis, system.driver_rows(), own);
+                project_out(&basis, system, own);
             }
         }
     }
@@ -121,15 +120,25 @@ impl Driven<'_> {
 /// Part of a self-stress below which it goes through no driver.
 const UNDRIVEN: f64 = 1e-9;
 
-/// λ minus its part in the span of `basis`, of least norm among all λ that differ by self-stresses: first of the drivers, whose
-/// rows these are, then of all.
-fn project_out(basis: &[Vec<f64>], drivers: Range<usize>, lambda: &mut [f64]) {
+/// λ minus its part in the span of `basis`, of least norm among all λ that differ by self-stresses: first of the drivers, by their
+/// shares, Σ λ²/share, then of all.
+fn project_out(basis: &[Vec<f64>], system: &System, lambda: &mut [f64]) {
     // Modified Gram–Schmidt, twice for orthogonality to round-off.
     let mut basis = basis.to_vec();
-    for rows in [drivers, 0..lambda.len()] {
+    let drivers = system.driver_rows();
+    let of_drivers: Vec<f64> = drivers
+        .clone()
+        .zip(&system.drivers)
+        .map(|(_, driver)| 1.0 / driver.share)
+        .collect();
+    let of_all = vec![1.0; lambda.len()];
+    for (rows, weights) in [(drivers, of_drivers), (0..lambda.len(), of_all)] {
         let mut done: Vec<Vec<f64>> = Vec::with_capacity(basis.len());
         let mut left = Vec::new();
-        let along = |e: &[f64], z: &[f64]| dot(&e[rows.clone()], &z[rows.clone()]);
+        let along = |e: &[f64], z: &[f64]| {
+            let parts = e[rows.clone()].iter().zip(&z[rows.clone()]).zip(&weights);
+            parts.map(|((e, z), weight)| weight * e * z).sum::<f64>()
+        };
         for mut z in basis {
             let before = dot(&z, &z).sqrt();
             for _ in 0..2 {

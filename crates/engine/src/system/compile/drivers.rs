@@ -76,6 +76,7 @@ impl Compiler<'_> {
                 role: self.driver_role(&driver.kind),
                 law: law(&driver.motion),
                 measure,
+                share: driver.share.unwrap_or(1.0),
             });
             self.push_block(constraint, Origin::Driver(DriverId(k)));
         }
