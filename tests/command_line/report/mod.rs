@@ -4,6 +4,7 @@ mod answers;
 mod beside;
 mod curves;
 mod drawing;
+mod lead;
 mod opened;
 mod page;
 mod screen;

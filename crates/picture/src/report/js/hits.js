@@ -75,7 +75,8 @@
   };
 
   const lines = (thing) => {
-    const of = (owner, found) => found.map((column) => [column.name.slice(owner.length + 1), textOf(column, player.row)]);
+    // What is zero all along, as the torque of an ideal pin, is left out.
+    const of = (owner, found) => found.filter((column) => !column.name.startsWith("joint.") || choices.lives(column)).map((column) => [column.name.slice(owner.length + 1), textOf(column, player.row)]);
     const all = of(thing.owner, thing.columns);
     if (thing.between) all.push(["length", units.quantity(length(thing.between, player.row), "m")]);
     if (thing.driver) all.push(...of(thing.driver.owner, thing.driver.columns).map(([name, value]) => [`${linkdyn.plain(thing.driver.name)} ${name}`, value]));
@@ -109,13 +110,44 @@
   };
   const set = (thing, event) => {
     if (thing !== over) { over = thing; canvas.classList.toggle("found", Boolean(thing)); stage.halo = thing ? halo(thing) : null; }
-    if (thing) show(thing.name, thing.kind, lines(thing), plotted(thing).length ? "Click: plot" : "", event.clientX, event.clientY); else hide();
+    if (thing) show(thing.name, thing.kind, lines(thing), [...(plotted(thing).length ? ["Click: plot"] : []), ...(path(thing) ? ["drag: move"] : [])].join(", "), event.clientX, event.clientY); else hide();
+  };
+  // Where a thing goes, of a body the point at a place; none where it stays.
+  const path = (thing, place = null) => {
+    let { at } = thing;
+    if (thing.body) {
+      const pose = shapes.pose(thing.body, player.row), [x, y] = place ? stage.from(place) : pose ?? [0, 0];
+      if (!pose) return null;
+      const own = shapes.turn([0, 0, -pose[2]], x - pose[0], y - pose[1]);
+      at = (row) => { const now = shapes.pose(thing.body, row); return now && shapes.carry(now, ...own); };
+    }
+    const from = at?.(player.row), step = Math.max(1, Math.floor(rows / 50));
+    if (!from) return null;
+    for (let row = 0; row < rows; row += step) { const to = at(row); if (to && far(stage.to(to), stage.to(from)) > 2) return at; }
+    return null;
+  };
+  const far = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+  // The row from which on neither way leads nearer to the pointer: the motion is followed, so that where a path crosses itself it
+  // stays on its branch. It goes on over what is as near, as where a point rests.
+  const SLACK = 1.5;
+  const nearest = (at, place) => {
+    const away = (row) => { const to = at(row); return to ? far(stage.to(to), place) : Infinity; };
+    let [best, least] = [player.row, away(player.row)];
+    for (const by of [1, -1]) for (let row = player.row + by; row >= 0 && row < rows; row += by) {
+      const now = away(row);
+      if (now < least) [best, least] = [row, now]; else if (now > least + SLACK) break;
+    }
+    return best;
+  };
+  stage.hold = (place) => {
+    const thing = rows && shapes.known ? find(place) : null, at = thing && path(thing, place);
+    return at && ((to) => { hide(); player.pause(); player.seek(nearest(at, to)); });
   };
   if (rows && shapes.known) {
     canvas.addEventListener("pointermove", (event) => { if (event.buttons === 0 || event.pointerType !== "mouse") set(stage.moving() ? null : find([event.offsetX, event.offsetY]), event); });
     canvas.addEventListener("pointerleave", (event) => set(null, event));
     canvas.addEventListener("click", (event) => {
-      if (stage.moving()) return;
+      if (stage.moved) return;
       const thing = find([event.offsetX, event.offsetY]);
       if (thing) plot(thing);
       set(thing, event);

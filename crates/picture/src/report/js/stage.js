@@ -145,27 +145,35 @@
     draw();
   };
 
-  // Drag to move, wheel with a key or pinch to zoom: the wheel alone scrolls the page.
+  // Drag to move the view, or the mechanism where it is taken hold of; wheel with a key or pinch to zoom: the wheel alone scrolls the page.
   const fingers = new Map();
-  let moved = false;
-  canvas.addEventListener("pointerdown", (event) => { moved = false; fingers.set(event.pointerId, [event.clientX, event.clientY]); canvas.setPointerCapture(event.pointerId); });
+  let moved = false, hold = () => null, lead = null;
+  canvas.addEventListener("pointerdown", (event) => {
+    moved = false;
+    fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    lead = fingers.size === 1 ? hold([event.offsetX, event.offsetY]) : null;
+    if (event.isTrusted) canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener("touchmove", (event) => { if (lead) event.preventDefault(); }, { passive: false });
   canvas.addEventListener("pointermove", (event) => {
     const before = fingers.get(event.pointerId);
     if (!before) return;
     const now = [event.clientX, event.clientY];
+    if (lead && !moved && Math.hypot(now[0] - before[0], now[1] - before[1]) <= 3) return;
     moved ||= Math.hypot(now[0] - before[0], now[1] - before[1]) > 3;
     const other = [...fingers].find(([id]) => id !== event.pointerId);
     if (other) {
       const far = (p) => Math.hypot(p[0] - other[1][0], p[1] - other[1][1]);
       if (far(before) > 10) zoom(far(now) / far(before));
-    } else if (!options.follow) {
+    } else if (lead) lead([event.offsetX, event.offsetY]);
+    else if (!options.follow) {
       view.x -= (now[0] - before[0]) / view.scale; view.y += (now[1] - before[1]) / view.scale;
       own = true;
       draw();
     }
     fingers.set(event.pointerId, now);
   });
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => fingers.delete(event.pointerId));
+  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, (event) => { fingers.delete(event.pointerId); lead = null; });
   canvas.addEventListener("wheel", (event) => {
     if (!event.ctrlKey && !event.shiftKey && !event.metaKey) return;
     event.preventDefault();
@@ -187,8 +195,11 @@
     get bar() { return barOf(width, height); },
     set halo(draws) { halo = draws; draw(); },
     to: (place) => to(place),
+    from: ([x, y]) => [view.x + (x - width / 2) / view.scale, view.y + (height / 2 - y) / view.scale],
+    // What takes hold of a place of the canvas, if something moves there: it follows the pointer.
+    set hold(take) { hold = take; },
     // What is shown, on another pen.
     pose: (pen) => picture(pen, { width, height }, to, view.scale, player.row, "#ffffff", [], drawing.palette()),
-    canvas, moving: () => fingers.size > 0 && moved,
+    canvas, moving: () => fingers.size > 0 && moved, get moved() { return moved; },
   };
 })();
