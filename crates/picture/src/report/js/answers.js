@@ -17,6 +17,8 @@
   };
   const show = () => id("answers").replaceChildren(...answers.map(one));
   id("answers").hidden = !answers.length;
+  // Before what the run warns of.
+  id("notes").before(id("answers"));
   units.onChange(show);
   show();
 })();
