@@ -34,7 +34,7 @@ const linkdyn = {};
   // An icon that the page defines.
   const icon = (name) => svg("svg", { className: "icon" }, svg("use", { href: `#i-${name}` }));
   // A status in words.
-  const words = (text) => String(text).replaceAll("_", " ");
+  const words = (text) => text === "quasi_statics" ? "quasi-statics" : String(text).replaceAll("_", " ");
 
   Object.assign(linkdyn, { given, floats, plain, element, svg, icon, id, words, palette: given.palette, mechanism: given.mechanism });
 })();
