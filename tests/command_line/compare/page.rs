@@ -187,3 +187,24 @@ fn a_lone_model_has_plots_and_no_differences() {
         "There is nothing to compare contact with: no other model was run."
     );
 }
+
+/// `massless_link` does not converge in some intervals, where its forces are a hundred times those of the others.
+#[test]
+fn models_that_do_not_converge_do_not_set_the_scale() {
+    let Some(browser) = find() else { return };
+    let scratch = Scratch::new("page-scale");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
+    command.args(["compare", "slider-crank-clearance", "--joint", "wristpin"]);
+    command.args(["-o", "out"]).current_dir(&scratch.0);
+    assert!(command.output().expect("it runs").status.success());
+    let page = fs::read_to_string(scratch.0.join("out/compare.html")).expect("readable");
+    let probe = "setTimeout(() => { const { cards, ran, units } = linkdyn; answer({ failed: ran.filter((run) => !run.sets_scale).map(({ name }) => name), \
+        beyond: cards.list.filter((card, k) => { const { factor } = card, { min, max } = card.plots[0].u.scales.y; \
+            const ends = ran.filter((run) => run.sets_scale).map((run) => [run.extremes[k][0], run.extremes[k][2]].map((end) => end * factor)); \
+            return max > Math.max(...ends.map(([, high]) => high)) + 0.08 * (max - min); }).length }); }, 400);";
+    let (found, visit) = ask(&browser, &page, probe, Some(2000));
+    assert!(visit.console.is_empty(), "{:#?}", visit.console);
+    assert_eq!(found["failed"], json!(["massless_link"]));
+    assert_eq!(found["beyond"], 0);
+    assert_eq!(crate::browser::sheets(&browser, &page), 2);
+}

@@ -2,7 +2,7 @@
 // One column: the curves of the runs that are switched on, and below them their differences to the reference.
 (() => {
   const { units, element, axes, models, marks, ran, reference, times, columns } = linkdyn;
-  const TALL = 216, LOW = 132;
+  const TALL = 216, LOW = 132, PAPER = 135;
 
   class Card {
     constructor(cards, k) {
@@ -49,19 +49,21 @@
       const list = this.shown.map((run) => ({ run, values: run === reference ? first : this.curve(run), cut: cut(run.cuts[this.k]) }));
       const others = list.filter(({ run }) => run !== reference);
       const apart = ({ run, values }) => ({ run, values: values.map((value, row) => value === undefined || first[row] === undefined ? undefined : value === null || first[row] === null ? null : value - first[row]) });
-      const differences = this.cards.differences ? others.map((found) => ({ ...apart(found), cut: cut(found.run.apart_cuts[this.k]) })) : [];
+      // On paper there is room for the curves themselves.
+      const differences = this.cards.differences && !models.paper ? others.map((found) => ({ ...apart(found), cut: cut(found.run.apart_cuts[this.k]) })) : [];
       // Without curves to compare no room is taken for them.
       const both = differences.length > 0;
       this.caption.hidden = this.lower.hidden = !both;
       this.caption.textContent = both ? `difference to ${linkdyn.plain(reference.name)}${label === "–" ? "" : ` [${label}]`}` : "";
-      this.draw(this.upper, list, TALL, { foot: linkdyn.footOf(this.shown), last: !both, events: true });
+      this.draw(this.upper, list, models.paper ? PAPER : TALL, { foot: linkdyn.footOf(this.shown), last: !both, events: true });
       if (both) this.draw(this.lower, differences, LOW, { foot: 0, last: true, events: false });
       this.mark();
     }
 
     draw(holder, list, height, { foot, last, events }) {
       const { label } = units.of(this.column.unit), inner = height - (last ? 44 : 16) - 8, rows = () => this.inView();
-      const range = () => { const [low, high] = axes.padded(...axes.span(list, rows)); return [low - (high - low) * foot / Math.max(inner - foot, 1), high]; };
+      const sound = list.filter(({ run }) => run.sets_scale), scaling = this.cards.cut && sound.length ? sound : list;
+      const range = () => { const [low, high] = axes.padded(...axes.span(scaling, rows)); return [low - (high - low) * foot / Math.max(inner - foot, 1), high]; };
       const plot = { list, labels: [], found: [] };
       const peaks = (u) => {
         const words = (values) => (row) => `${units.quantity(values[row] / this.factor, this.column.unit, 4)} at ${units.number(times[row], 4)} s`;
@@ -71,7 +73,7 @@
       };
       plot.u = new uPlot({
         ...axes.options(true, () => this.cards.setZoom(null)),
-        width: this.width, height, padding: [8, 14, 0, 0],
+        width: this.width, height, padding: [8, 22, 0, 0],
         scales: { x: { time: false, range: () => this.cards.zoom || this.cards.whole }, y: { range } },
         axes: [
           axes.axis("s", last ? { label: "time [s]", labelSize: 16, size: 28 } : { size: 8, values: (u, splits) => splits.map(() => "") }),

@@ -28,7 +28,7 @@
 
   if (ran.length) columns.forEach((column, k) => { const card = new Card(cards, k); cards.list.push(card); id("cards").append(card.root); });
   cards.list.forEach((card) => card.fit());
-  const isCut = runs.some(({ cuts }) => cuts.some((found) => found.some((end) => end !== null)));
+  const isCut = ran.some(({ sets_scale }) => !sets_scale) || runs.some(({ cuts }) => cuts.some((found) => found.some((end) => end !== null)));
   id("cutting").hidden = !isCut;
   id("apart").hidden = ran.length < 2;
   for (const name of ["cut", "differences"]) id(name).addEventListener("change", () => { cards[name] = id(name).checked; cards.build(); });

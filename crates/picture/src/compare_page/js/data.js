@@ -9,6 +9,9 @@
   const take = (rows) => floats.subarray(next, next += rows);
   const runs = given.runs.map((run) => run.rows ? { ...run, on: true, time: take(run.rows), values: columns.map(() => take(run.rows)) } : { ...run, on: false });
   const ran = runs.filter((run) => run.rows);
+  // What a run computes near where it does not converge may be anything: it does not set the scale of a plot.
+  const FAILED = ["not_converged", "no_solution"];
+  ran.forEach((run) => { run.sets_scale = run.sort === "good" && !run.events.some(([kind]) => FAILED.includes(kind)); });
   const reference = ran[0];
 
   // All instants of all runs in order, and which row of each run is there (-1: none). Two rows of one run at one instant stay two.
