@@ -229,11 +229,18 @@ fn grids_are_curves_and_heat_maps() {
         ],
     );
     let script = "setTimeout(() => { const { canvas, plots: [{ at, pick }] } = linkdyn.frames[0]; \
-        answer({ plots: linkdyn.frames.length, first: pick(at.box.left + 2, at.box.top + at.box.tall - 2), last: pick(at.box.left + at.box.wide - 2, at.box.top + 2) }); }, 300);";
+        answer({ plots: linkdyn.frames.length, ends: document.querySelector('#cards h2 .muted').textContent, first: pick(at.box.left + 2, at.box.top + at.box.tall - 2), last: pick(at.box.left + at.box.wide - 2, at.box.top + 2) }); }, 300);";
     let (found, visit) = ask(&browser, &both, script, Some(4000));
     assert!(visit.console.is_empty(), "{:#?}", visit.console);
     // The parameter that changes fastest goes up.
-    assert_eq!(found, json!({ "plots": 5, "first": 0, "last": 134 }));
+    // √((300 + 20)² − 10²) − √((300 − 20)² − 10²) mm, and the same of 240 mm.
+    let ends =
+        "least 4.002 cm at crank 20 mm, rod 300 mm; greatest 48.07 cm at crank 240 mm, rod 300 mm";
+    assert_eq!(found["ends"], ends);
+    assert_eq!(
+        (&found["plots"], &found["first"], &found["last"]),
+        (&json!(5), &json!(0), &json!(134))
+    );
 }
 
 #[test]

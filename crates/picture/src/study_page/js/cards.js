@@ -103,9 +103,12 @@
   const canvas = (what, own) => element("canvas", { className: "plot", role: "img", "aria-label": `${what} of ${own.name}` });
   responses.slice(0, MOST).forEach((own) => {
     const { summary } = own, card = element("section", { className: "card" });
+    const place = (row) => inputs.map((input) => `${input.name} ${input.text(input.values[row], 4)}`).join(", ");
+    const end = (word, pick) => { const best = own.values.reduce((found, value, row) => Number.isFinite(value) && (found < 0 || pick(value, own.values[found])) ? row : found, -1); return best < 0 ? [] : [`${word} ${own.text(own.values[best], 4)} at ${place(best)}`]; };
+    const ends = isHeat ? [...end("least", (a, b) => a < b), ...end("greatest", (a, b) => a > b)].join("; ") : "";
     const side = summary.below + summary.above ? `${linkdyn.count(summary.below + summary.above)} outside the limits` : "";
     const select = !isCurve && !isHeat && inputs.length > 1 && element("select", { "aria-label": "Input", className: "over", on: { change: (event) => { over = inputs[event.target.value]; document.querySelectorAll(".over").forEach((other) => { other.value = event.target.value; }); choice.repaint(); } } }, ...inputs.map(({ name }, k) => element("option", { value: k, text: `over ${name}` })));
-    card.append(element("h2", {}, element("span", { className: "text", text: own.name }), element("span", { className: "muted text", text: `${isHeat ? "over two parameters" : ""}` }), element("span", { className: "side muted", text: side }), ...(select ? [select] : [])));
+    card.append(element("h2", {}, element("span", { className: "text", text: own.name }), element("span", { className: "muted text", text: ends }), element("span", { className: "side muted", text: side }), ...(select ? [select] : [])));
     const plots = isCurve ? [["Curve", curve]] : isHeat ? [["Heat map", linkdyn.heat]] : [["Histogram", histogram], ["Cloud", scatter]];
     const both = card.appendChild(element("div", { className: "plots" }));
     for (const [what, make] of plots) { const own_canvas = both.appendChild(canvas(what, own)); new Frame(own_canvas, make(own)); }

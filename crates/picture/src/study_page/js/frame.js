@@ -105,10 +105,10 @@
     pen.textAlign = isUpright && !isLeft ? "left" : "right"; pen.textBaseline = !isUpright && isAbove ? "bottom" : "top";
     pen.fillText(side ? "upper limit" : "lower limit", isUpright ? place + (isLeft ? -4 : 4) : left + wide - 4, isUpright ? top + 4 + 14 * side : place + (isAbove ? -2 : 3));
   });
-  const ring = (pen, x, y) => {
+  const ring = (pen, x, y, tone = "force") => {
     if (!Number.isFinite(x + y)) return;
     pen.lineWidth = 4; pen.strokeStyle = colour("card"); pen.beginPath(); pen.arc(x, y, 6, 0, 7); pen.stroke();
-    pen.lineWidth = 2.2; pen.strokeStyle = colour("force"); pen.stroke();
+    pen.lineWidth = 2.2; pen.strokeStyle = colour(tone); pen.stroke();
   };
   // Ranges that are chosen of both variables, or of one.
   const box = (pen, at, own, other) => {

@@ -1,5 +1,5 @@
 "use strict";
-// A response over two parameters: cells of a grid, a scale of colours, contours where limits lie.
+// A response over two parameters: cells of a grid, a scale of colours, contours, and limits; where it is least and greatest.
 (() => {
   const { inputs, numbers, variants, given, choice, colour, plotting, units } = linkdyn;
   // Dark to bright: clear with all kinds of colour vision, and in grey print.
@@ -61,6 +61,8 @@
   linkdyn.heat = (own) => {
     const axes = inputs.map(axis), grid = cells(axes, own), { wide, tall, means } = grid;
     const pieces = own.limits.map((limit) => limit === null ? [] : contour(grid, limit));
+    const levels = own.to > own.from ? plotting.ticks(own.from, own.to, 9).map(([value, text]) => [text, contour(grid, value)]) : [];
+    const ends = own.to > own.from ? [["min", Math.min], ["max", Math.max]].map(([word, end]) => [word, own.values.indexOf(own.values.reduce((a, b) => Number.isFinite(b) ? end(a, b) : a, word === "min" ? Infinity : -Infinity))]) : [];
     return (pen, width, height) => {
       const { scales, FONT } = plotting, box = { left: 64, top: 28, wide: width - 64 - 92, tall: height - 28 - 42 };
       const at = scales(box, axes[0].range, axes[1].range), { from, to } = own, span = to - from || 1;
@@ -78,6 +80,27 @@
       }
       pen.globalAlpha = 1;
       const middle = ([i, j]) => { const [x, y] = corner(0, 0); return [x + dx * (0.5 + (flipX ? -i : i)), y + dy * (0.5 - (flipY ? -j : j))]; };
+      pen.lineCap = "butt"; pen.lineWidth = 1; pen.strokeStyle = "#ffffff";
+      for (const [, found] of levels) found.forEach((piece) => plotting.line(pen, ...piece.map(middle)));
+      const written = [];
+      const write = (text, x, y) => {
+        const wide = pen.measureText(text).width / 2 + 2, tall = 8;
+        if (x - wide < box.left || x + wide > box.left + box.wide || y - tall < box.top || y + tall > box.top + box.tall || written.some(([a, b, w]) => Math.abs(a - x) < wide + w && Math.abs(b - y) < 2 * tall)) return false;
+        written.push([x, y, wide]);
+        pen.lineWidth = 3; pen.lineJoin = "round"; pen.strokeStyle = colour("card"); pen.strokeText(text, x, y); pen.fillStyle = colour("ink"); pen.fillText(text, x, y);
+        return true;
+      };
+      pen.font = FONT; pen.textAlign = "center"; pen.textBaseline = "middle";
+      // The ends first, each with a ring at its cell and its value beside it.
+      for (const [word, row] of ends) {
+        const [x, y] = middle([grid.place[row] % wide, Math.floor(grid.place[row] / wide)]), text = `${word} ${own.text(own.values[row], 4)}`, half = pen.measureText(text).width / 2 + 10;
+        plotting.ring(pen, x, y, "ink");
+        for (const [dx, dy] of [[half, 0], [-half, 0], [0, -16], [0, 16], [half, 16], [half, -16], [-half, 16], [-half, -16]]) if (write(text, x + dx, y + dy)) break;
+      }
+      for (const [text, found] of levels) for (const k of [0.5, 0.3, 0.7, 0.15, 0.85]) {
+        const piece = found[Math.floor(k * found.length)];
+        if (piece && write(text, ...middle(piece[0]))) break;
+      }
       for (const [colourOf, thick] of [["card", 4.5], ["bad", 2]]) { pen.strokeStyle = colour(colourOf); pen.lineWidth = thick; pen.lineCap = "round"; pieces.flat().forEach((piece) => plotting.line(pen, ...piece.map(middle))); }
       if (choice.row >= 0) {
         const k = grid.place[choice.row], [x, y] = corner(k % wide, Math.floor(k / wide));
