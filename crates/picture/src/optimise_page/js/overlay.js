@@ -59,7 +59,7 @@
   id("undrawn").textContent = "There is no motion to draw.";
   if (!motions.length) id("motion").classList.add("empty");
   player.onRow(show);
-  new ResizeObserver(() => setTimeout(draw, 0)).observe(stage);
+  new ResizeObserver(() => setTimeout(() => { if (motions.length) drawing.suit(stage, box); draw(); }, 0)).observe(stage);
   theme.onChange(() => { legend(); draw(); });
   legend();
   show();

@@ -193,5 +193,8 @@
   // Half the width of a body in a drawing of that size.
   const barOf = (width, height) => Math.min(Math.max(Math.min(width, height) * 0.0177, 4.4), 8.8);
 
-  linkdyn.drawing = { palette, draw, arrow, round, path, prepare, fitted, barOf };
+  // The height of a stage that suits what is drawn at its width, for the style sheet.
+  const suit = (stage, [left, right, bottom, top]) => stage.style.setProperty("--fit", `${Math.round((stage.clientWidth - 60) * (top - bottom) / (right - left) + 90)}px`);
+
+  linkdyn.drawing = { palette, draw, arrow, round, path, prepare, fitted, suit, barOf };
 })();

@@ -83,7 +83,9 @@
   id("nominal").addEventListener("click", () => choice.choose(-1));
   id("played").addEventListener("click", () => choice.choose(motion.row));
   player.onRow(show);
-  new ResizeObserver(() => setTimeout(draw, 0)).observe(stage);
+  // The height is that of the first mechanism: it would jump from variant to variant.
+  const first = given.drawing?.box;
+  new ResizeObserver(() => setTimeout(() => { if (first) linkdyn.drawing.suit(stage, first); draw(); }, 0)).observe(stage);
   choice.onChoose(follow);
   theme.onChange(draw);
   follow(-1);
