@@ -2,7 +2,6 @@
 
 use super::cylinder::Lengths;
 use super::parts::{At, Layer, Parts};
-use super::stops::BAR;
 use crate::palette::{ACCENT, CARD, GROUND, INK, STEEL};
 use crate::shape::{DriverKind, PointId, Spring, TorsionSpring};
 use crate::sign::{Corner, Edge, Paint, along, bars, circle, line, metres};
@@ -12,8 +11,9 @@ use crate::symbols;
 const DRIVER: f64 = 2.7;
 /// Distance of the arrow of a driven slide from its block, and half its length, in bars.
 const BESIDE: [f64; 2] = [2.9, 3.0];
-/// Half the length of a bar at the end of a stroke, in bars.
+/// Half the length of a bar at the end of a stroke, and its width, in bars.
 const STOP: f64 = 2.4;
+const BAR: f64 = 0.6;
 /// Ends of a stroke that are further than this, in lengths of the moment, are not drawn.
 const NEAR: f64 = 1.6;
 /// Radius of the end of a spring, in bars.

@@ -1,17 +1,16 @@
-//! Ends of joints' ways: bars across a guide, the round end of a slot, an arc between two pegs about a pin.
+//! Ends of joints' ways: hatched stops across a guide, the round end of a slot, an arc between two hatched stops about a pin.
 
 use super::parts::{Layer, Parts};
 use crate::palette::STEEL;
 use crate::shape::{Joint, PointId};
-use crate::sign::{Corner, Edge, OUTLINE, bars, line, metres};
+use crate::sign::{Corner, Edge, OUTLINE, Stroke, bars, line, metres};
 use crate::symbols;
 use linkdyn_model::OneWay;
 
-/// Width of a bar, half its height, in bars.
-pub const BAR: f64 = 0.6;
+/// Half the height of a stop of a slide, in bars.
 const HIGH: f64 = 2.0;
 /// Radii between which a peg lies, and of the arc, in bars.
-const PEG: [f64; 2] = [3.0, 4.6];
+const PEG: [f64; 2] = [2.4, 5.6];
 const ARC: f64 = 3.8;
 /// Angle between corners of the arc \[rad\].
 const CORNER: f64 = 0.1;
@@ -60,14 +59,23 @@ fn arc(radius: f64, from: f64, to: f64) -> Vec<Corner> {
     (0..=corners as usize).map(at).collect()
 }
 
+/// A block that a part runs against, hatched on the right side of its face.
+fn stop(face: [Corner; 2]) -> Stroke {
+    Stroke {
+        class: "stop",
+        ..symbols::hatched_line(face, f64::INFINITY, Edge::of(STEEL))
+    }
+}
+
 impl Parts<'_> {
     /// Bars where the block of a slide comes to its ends.
     pub fn add_bars(&mut self, joint: &Joint, along: (usize, [f64; 2]), slides: [f64; 2]) {
         for (end, side) in near(joint, slides).into_iter().zip([-1.0, 1.0]) {
             let Some(end) = end else { continue };
             let at = metres(end, 0.0).beside(side * symbols::BLOCK[0], 0.0);
-            let bar = [at.beside(0.0, HIGH), at.beside(0.0, -HIGH)];
-            let sign = vec![line("stop", bar, Edge::of(STEEL).wide(BAR))];
+            // Hatched on the side to which the block does not come.
+            let bar = [at.beside(0.0, -side * HIGH), at.beside(0.0, side * HIGH)];
+            let sign = vec![stop(bar)];
             self.with(Layer::Stops, joint.between[0], along, along.0, sign);
         }
     }
@@ -77,11 +85,10 @@ impl Parts<'_> {
         let (Some(ends), Some(from)) = (joint.limits, self.direction_of(joint.between[1])) else {
             return;
         };
-        let pegs = ends.into_iter().flatten().map(|end| {
-            let peg = PEG.map(|radius| around(radius, end));
-            line("stop", peg, Edge::of(STEEL).wide(BAR))
-        });
-        let mut sign: Vec<_> = pegs.collect();
+        let [low, high] = ends.map(|end| end.map(|end| PEG.map(|radius| around(radius, end))));
+        // Hatched outside of the travel.
+        let high = high.map(|[inner, outer]| [outer, inner]);
+        let mut sign: Vec<_> = low.into_iter().chain(high).map(stop).collect();
         if let [Some(low), Some(high)] = ends {
             let high = high.min(low + std::f64::consts::TAU);
             sign.push(line(
