@@ -10,6 +10,7 @@ mod tab;
 
 mod accuracy;
 mod book;
+mod boxes;
 mod check;
 mod cli;
 mod compare;

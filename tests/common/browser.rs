@@ -179,6 +179,7 @@ const WRITE: &str = "const answer = (value) => { const box = document.createElem
 /// A page with one more script, which its policy allows.
 fn with_script(page: &str, script: &str) -> String {
     let hash = base64(&Sha256::digest(script.as_bytes()));
+    let page = page.replacen("script-src 'none'", "script-src ", 1);
     let page = page.replacen("script-src ", &format!("script-src 'sha256-{hash}' "), 1);
     let (before, after) = page.rsplit_once("</body>").expect("a body");
     format!("{before}<script>{script}</script></body>{after}")

@@ -48,7 +48,7 @@
     if (few.length <= MOST_EVENTS) marks.clipped(u, (pen, frame) => {
       for (const event of few) {
         const from = place(plot, u, event.from);
-        if (Number.isFinite(from)) marks.placed(pen, frame, ratio, labels, event.word, from, frame.top, true, colour("warn"));
+        if (Number.isFinite(from)) marks.placed(pen, u, curves, frame, ratio, labels, event.word, from, frame.top, true, colour("warn"));
       }
     }, ratio);
     return labels;
