@@ -9,12 +9,13 @@
   if (stage.hasForces) document.getElementById("arrows").click();
   const meet = (a, b) => a.x < b.x + b.wide - 0.5 && b.x < a.x + a.wide - 0.5 && a.y < b.y + b.tall - 0.5 && b.y < a.y + a.tall - 0.5;
   const covering = (boxes) => boxes.flatMap((a, k) => boxes.slice(k + 1).filter((b) => meet(a, b)).map((b) => `${a.text} / ${b.text}`));
-  const told = { drawn: 0, covering: [], outside: [], plots: 0 };
+  const told = { drawn: 0, covering: [], outside: [], plots: 0, cut: [] };
   for (let k = 0; k <= 12; k++) {
     player.seek(Math.round(k * (rows - 1) / 12));
     stage.paint();
     const { width, height } = stage.size;
     told.drawn += stage.labels.length;
+    told.cut.push(...stage.labels.filter(({ text }) => text.startsWith("> ")).map(({ text }) => text));
     told.covering.push(...covering(stage.labels));
     told.outside.push(...stage.labels.filter(({ x, y, wide, tall }) => x < 0 || y < 0 || x + wide > width || y + tall > height).map(({ text }) => text));
   }

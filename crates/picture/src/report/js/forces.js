@@ -28,6 +28,7 @@
     const { width, height } = state;
     if (into && (tail[0] < 0 || tail[0] > width || tail[1] < 0 || tail[1] > height)) [tail, head] = [from, [from[0] + dx, from[1] + dy]];
     drawing.arrow(pen, tail, head, bar, colour, full > most);
+    if (full > most) state.cut.set(colour, most / long * unit);
     const free = into && tail !== from ? tail : head;
     if (state.values++ < MOST_VALUES) names.push({ text: units.quantity(f, "N", 3), at: free, colour, beside: 2, key: `force ${name}` });
   };
@@ -37,6 +38,7 @@
     const { row, to, bar, pen, width, height, colours } = state, unit = sizes();
     const long = Math.min(width, height) * 0.22 * 10 ** (options.arrowScale / 2), most = Math.max(long * 1.6, Math.min(width, height) * 0.3);
     state.values = 0;
+    state.cut = new Map();
     const legend = [];
     if (options.arrows && unit.joints > 0) {
       legend.push({ unit: unit.joints, long, colour: colours.force });
@@ -58,22 +60,27 @@
         state.names.push({ text: units.quantity(torques[k].values[row], "N*m", 3), at: to(place), colour: colours.load, beside: bar * 3.8, key: `torque ${k}` });
       }
     });
-    return legend;
+    return legend.map((own) => ({ ...own, cut: state.cut.get(own.colour) }));
   };
 
-  // How long a round force is, from `x` on; returns what it takes.
-  const legend = (pen, list, x, y) => {
+  // How long a round force is, from `x` on, and beyond which force arrows are cut, where there is room; returns what it takes.
+  const legend = (pen, list, x, y, width) => {
     const boxes = [];
     pen.font = "12px system-ui, sans-serif"; pen.textBaseline = "bottom";
-    for (const { unit, long, colour } of list) {
-      const about = unit * 50 / long, power = 10 ** Math.floor(Math.log10(about));
-      const nice = [5, 2, 1].map((n) => n * power).find((n) => n <= about) || power, wide = nice / unit * long;
-      const text = units.quantity(nice, "N", 3), taken = Math.max(wide, pen.measureText(text).width) + 14;
-      drawing.arrow(pen, [x, y - 4], [x + wide, y - 4], 6, colour);
+    const put = (text, wide, colour, isCut) => {
+      const taken = Math.max(wide, pen.measureText(text).width) + 14;
+      if (isCut && x + taken > width) return;
+      drawing.arrow(pen, [x, y - 4], [x + wide, y - 4], 6, colour, isCut);
       pen.fillStyle = colour;
       pen.fillText(text, x, y - 9);
       boxes.push({ x, y: y - 26, wide: taken - 8, tall: 26, text });
       x += taken;
+    };
+    for (const { unit, long, colour, cut } of list) {
+      const about = unit * 50 / long, power = 10 ** Math.floor(Math.log10(about));
+      const nice = [5, 2, 1].map((n) => n * power).find((n) => n <= about) || power, wide = nice / unit * long;
+      put(units.quantity(nice, "N", 3), wide, colour, false);
+      if (cut) put(`> ${units.quantity(cut, "N", 2)}`, 30, colour, true);
     }
     return boxes;
   };

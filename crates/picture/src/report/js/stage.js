@@ -102,7 +102,7 @@
     const scales = forces.draw({ pen, to, bar, row, width, height, colours, names: list }, options);
     if (halo) halo({ pen, to, row, bar, colours });
     const foot = rows ? [ruler(pen, size, scale, colours)] : [];
-    foot.push(...forces.legend(pen, scales, foot.length ? foot[0].x + foot[0].wide + 18 : 14, height - 8));
+    foot.push(...forces.legend(pen, scales, foot.length ? foot[0].x + foot[0].wide + 18 : 14, height - 8, width));
     // Values and pins before bodies, which their colours identify as well.
     list.sort((a, b) => Number(Boolean(a.strong)) - Number(Boolean(b.strong)));
     return [...foot, ...labels.draw(pen, list, { width, height, taken: [...taken, ...foot], background })];
