@@ -44,7 +44,7 @@ const PARTS: &[Part] = &[
     part("ask", &["crates/ask/src"], "rs", 8_030),
     part("output", &["crates/output/src"], "rs", 2_080),
     part("picture", &["crates/picture/src"], "rs", 9_340),
-    part("pages", &["crates/picture/src"], "js", 4_115),
+    part("pages", &["crates/picture/src"], "js", 4_210),
     part("library", &["src"], "rs", 5_145),
     part("of it the command", &["src/cli"], "rs", 3_665),
     part("validation", &["validation/src"], "rs", 7_450),
