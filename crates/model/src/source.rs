@@ -29,6 +29,11 @@ impl Source {
         }
     }
 
+    /// As it was read, without the mark of UTF-8.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Line and column of a byte.
     pub(super) fn place_of(&self, at: usize) -> Place {
         let line = self.lines.partition_point(|&start| start <= at).max(1);
