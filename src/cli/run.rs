@@ -80,30 +80,37 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         return Err(BadInput(clash));
     }
     if !options.watch {
-        return once(options);
+        return Ok(run(options)?.exit);
     }
     let shown = options.output.as_deref().filter(|_| !options.no_report);
     let mut live = None;
     watch(options.model.path(), || {
-        let ran = once(options);
+        let ran = run(options);
         let Some(path) = shown else {
-            return Ok((ran?, String::new()));
+            return Ok((ran?.exit, String::new()));
         };
         let live = match &mut live {
             Some(live) => live,
-            none => none.insert(Live::new(Directory::open(path)?)?),
+            none => none.insert(Live::new(Directory::open(path)?, options.model.path())?),
         };
         if let Err(failure) = &ran {
-            live.tell(failure.lines())?;
+            live.tell(failure.lines());
         }
-        let exit = ran?;
-        let page = live.show()?;
-        Ok((exit, format!("; {page} shows the report of each run")))
+        let ran = ran?;
+        let word = live.show(ran.file, &ran.outcome);
+        Ok((ran.exit, word))
     })
 }
 
+/// A run that has an outcome.
+struct Ran {
+    exit: Exit,
+    file: ModelFile,
+    outcome: Outcome,
+}
+
 /// Runs, writes, tells.
-fn once(options: &Options) -> Result<Exit, Failure> {
+fn run(options: &Options) -> Result<Ran, Failure> {
     let (model, asked) = (&options.model, &options.responses);
     let file = with_responses(&model.text()?, model.sets(), asked);
     let file = file.map_err(|why| model.refuse(why))?;
@@ -145,19 +152,28 @@ fn once(options: &Options) -> Result<Exit, Failure> {
             print_page(&page(&file, &outcome, &written))?;
         }
     }
+    Ok(Ran {
+        exit: ended(options, &outcome),
+        file,
+        outcome,
+    })
+}
+
+/// How it ended for the process; what is not as requested is told.
+fn ended(options: &Options, outcome: &Outcome) -> Exit {
     let status = outcome.report.status;
     let exit = Exit::from(status);
     if exit != Exit::Done {
         complain(outcome.report.message.as_deref().unwrap_or(status.word()));
-        return Ok(exit);
+        return exit;
     }
     let missed = outcome.responses.iter().filter(|one| is_missed(one));
     let missed: Vec<String> = missed.map(|one| one.name.clone()).collect();
     if !options.strict || missed.is_empty() {
-        return Ok(Exit::Done);
+        return Exit::Done;
     }
     complain(&format!("limits are missed: {}", names(&missed)));
-    Ok(Exit::Missed)
+    Exit::Missed
 }
 
 /// The run in words, with what was written and how long that took.

@@ -37,7 +37,7 @@ pub fn read(text: &Arc<Text>, sets: &[String], puts: &[Put]) -> Result<ModelFile
 }
 
 /// Complaints about what was put into the model name it in the words of the user.
-fn relabelled(complaints: Complaints, puts: &[Put]) -> Complaints {
+pub(crate) fn relabelled(complaints: Complaints, puts: &[Put]) -> Complaints {
     let label = |complaint: &Complaint| {
         let found = complaint.found.as_deref();
         let is_set = found.is_some_and(|found| found.starts_with("--set "));

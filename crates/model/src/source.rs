@@ -30,7 +30,7 @@ impl Source {
     }
 
     /// As it was read, without the mark of UTF-8.
-    pub(super) fn text(&self) -> &str {
+    pub fn text(&self) -> &str {
         &self.text
     }
 

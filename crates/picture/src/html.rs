@@ -101,6 +101,14 @@ impl Live<'_> {
     }
 }
 
+/// A page with a script that talks with the server that it comes from, and with the pages of that server in its frames.
+pub fn talking(title: &str, style: &str, body: &str, script: &str) -> String {
+    let [before, after] = frame(title, &[style], &[script]);
+    let allowed = "default-src 'none'; connect-src 'self'; frame-src 'self'";
+    let before = before.replacen("default-src 'none'", allowed, 1);
+    [&before, body, "<script>", script, "</script>\n", &after].concat()
+}
+
 /// What stands before the body of a page, and what after it.
 fn frame(title: &str, styles: &[&str], scripts: &[&str]) -> [String; 2] {
     let style = [&[palette::style_sheet().as_str()], styles]
@@ -245,7 +253,8 @@ mod tests {
         let own = own
             .chain(crate::accuracy_page::SCRIPTS)
             .chain(crate::compare_page::SCRIPTS)
-            .chain(crate::optimise_page::SCRIPTS);
+            .chain(crate::optimise_page::SCRIPTS)
+            .chain(crate::watch_page::SCRIPTS);
         let rules = [PLOT_LIBRARY, PLOT_STYLE, STYLE];
         for text in shared.chain(own).chain(&rules) {
             assert!(can_stand_in_a_page(text), "{text:.200}");

@@ -29,6 +29,7 @@
 //! | `compare_page` | several runs over each other → `compare.html`                |
 //! | `optimise_page` | before and after, history, limits → `report.html` of optimise |
 //! | `study_page` | what was varied, what came of it, motions of variants → `report.html` of study |
+//! | `watch_page` | the report of each run of `--watch`, and a slider for each parameter |
 //! | `validate_page` | claims of validation cases → pages                          |
 //! | `numbers`   | numbers of a page as compact text                               |
 //! | `html`      | one frame, head, rules and scripts for all pages; data and a policy → one file |
@@ -58,6 +59,7 @@ pub mod study_page;
 pub mod svg;
 pub mod swing;
 pub mod validate_page;
+pub mod watch_page;
 pub mod words;
 
 mod fault;

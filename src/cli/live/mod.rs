@@ -1,62 +1,87 @@
-//! A page beside `report.html` that shows it, and shows it again after every run of `--watch`.
+//! The page that shows each run of `--watch`, with a slider for each parameter: served to this computer while the command watches.
 //!
-//! The report itself can't: it allows no script but its own, and a page from a disk may not read files.
+//! A page from a disk may neither read files nor talk to a program, so `live.html` only leads to the page that is served.
 
+mod http;
+mod routes;
+mod server;
+mod state;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use linkdyn_ask::ModelFile;
 use linkdyn_ask::text::plain;
+use linkdyn_engine::analysis::Outcome;
 use linkdyn_output::{Directory, WriteError};
-use serde_json::json;
+use linkdyn_picture::watch_page;
 
-const PAGE: &str = include_str!("page.html");
+use super::streams::remark;
+use server::Server;
+use state::State;
+
 const NAME: &str = "live.html";
-/// What the page loads again and again.
-const NUMBER: &str = "live.js";
 
 /// The page, as long as this lives.
 #[derive(Debug)]
 pub struct Live {
     directory: Directory,
-    runs: usize,
+    state: Arc<State>,
+    /// None where the system lets nothing be served.
+    server: Option<Server>,
 }
 
 impl Live {
-    /// Begins with no run.
+    /// Begins with no run of a model's file.
     ///
     /// # Errors
     /// When the page can't be written.
-    pub fn new(directory: Directory) -> Result<Self, WriteError> {
-        directory.write(NAME, PAGE.as_bytes())?;
-        Ok(Live { directory, runs: 0 })
+    pub fn new(directory: Directory, model: &Path) -> Result<Self, WriteError> {
+        let report = directory.path().join("report.html");
+        let state = Arc::new(State::new(model.to_owned(), report));
+        let server = match Server::start(Arc::clone(&state)) {
+            Ok(server) => {
+                let entry = watch_page::entry(server.address());
+                directory.write(NAME, entry.as_bytes())?;
+                Some(server)
+            }
+            Err(why) => {
+                remark(&format!("warning: no page shows the runs: {why}"));
+                None
+            }
+        };
+        Ok(Live {
+            directory,
+            state,
+            server,
+        })
     }
 
-    /// Lets the page show the report that was written just now; the page's path.
-    ///
-    /// # Errors
-    /// When a file can't be written.
-    pub fn show(&mut self) -> Result<String, WriteError> {
-        self.runs += 1;
-        let number = format!("run({})\n", self.runs);
-        self.directory.write(NUMBER, number.as_bytes())?;
-        Ok(self.directory.path().join(NAME).display().to_string())
+    /// Lets the page show a run whose report was written just now; a word about where it is.
+    pub fn show(&mut self, file: ModelFile, outcome: &Outcome) -> String {
+        let Some(server) = &self.server else {
+            return String::new();
+        };
+        self.state.show(file, outcome);
+        let page = self.directory.path().join(NAME);
+        format!(
+            "; {} shows the report of each run ({})",
+            page.display(),
+            server.address()
+        )
     }
 
     /// Lets the page say what is wrong, above the report of the run before.
-    ///
-    /// # Errors
-    /// When a file can't be written.
-    pub fn tell(&self, faults: &[String]) -> Result<(), WriteError> {
-        let said: Vec<_> = faults.iter().map(|line| plain(line)).collect();
-        let number = format!("run({}, {})\n", self.runs, json!(said));
-        self.directory.write(NUMBER, number.as_bytes())?;
-        Ok(())
+    pub fn tell(&self, faults: &[String]) {
+        self.state
+            .tell(faults.iter().map(|line| plain(line).into_owned()).collect());
     }
 }
 
 impl Drop for Live {
     /// Leaves nothing that does not work any more.
     fn drop(&mut self) {
-        for name in [NAME, NUMBER] {
-            // What can't be removed is a small file that says so itself.
-            let _ = self.directory.remove(name);
-        }
+        // What can't be removed is a small file that says so itself.
+        let _ = self.directory.remove(NAME);
     }
 }

@@ -2,6 +2,7 @@
 
 mod largest;
 mod text;
+mod tuned;
 
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
@@ -18,6 +19,7 @@ use crate::shape::{with_loads, with_profiles};
 use crate::text::responses::for_page;
 use crate::{ModelFile, Question, Unanswered};
 pub use text::text;
+pub use tuned::{parameters, tuned, typed, with_values};
 
 /// Asks for a run of the model's analysis.
 #[derive(Debug, Clone, Copy, Default)]
@@ -147,6 +149,19 @@ impl<'a> Origin<'a> {
     /// # Errors
     /// Those of `out`.
     pub fn write_page(self, outcome: &Outcome, out: &mut impl Write) -> io::Result<()> {
+        self.with_report(outcome, |report| report.write(out))
+    }
+
+    /// The data of that page alone, for a page that stays: JSON, a line feed, and the numbers in base64.
+    pub fn data(self, outcome: &Outcome) -> String {
+        let mut text = Vec::new();
+        self.with_report(outcome, |report| report.write_data(&mut text))
+            .expect("memory takes it");
+        String::from_utf8(text).expect("it is made of texts")
+    }
+
+    /// Lets `write` have what the page is made of.
+    fn with_report<T>(self, outcome: &Outcome, write: impl FnOnce(&Report) -> T) -> T {
         let (curves, complete) = (outcome.curves(), outcome.all_curves());
         let summary = Summary {
             responses: for_page(&outcome.responses, &self.model.display),
@@ -167,6 +182,6 @@ impl<'a> Origin<'a> {
             shape: with_profiles(self.model),
             ..Report::new(self.model, &summary, &complete)
         };
-        report.write(out)
+        write(&report)
     }
 }

@@ -21,6 +21,7 @@ pub const SCRIPTS: &[&str] = &[
     html::PLAYER,
     html::PLACES,
     html::DRAWING,
+    include_str!("js/ghost.js"),
     include_str!("js/labels.js"),
     include_str!("js/forces.js"),
     include_str!("js/stage.js"),
@@ -92,6 +93,21 @@ impl<'a> Report<'a> {
     /// # Errors
     /// Those of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        let page = page();
+        self.fill(&page.each_ref().map(String::as_str), out)
+    }
+
+    /// Writes its data alone, with which a page of the same mechanism shows this run: JSON, a line feed, and the numbers in base64.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_data(&self, out: &mut impl Write) -> io::Result<()> {
+        self.fill(&["", "\n", ""], out)
+    }
+
+    /// Writes the data and the numbers, with texts around them.
+    fn fill(&self, [before, between, after]: &[&str; 3], out: &mut impl Write) -> io::Result<()> {
+        let around = before.len() + between.len() + after.len();
         let mut notes = self.notes.clone();
         let facts = escaped(&facts(self.summary, &mut notes).to_string());
         let rows = self.shape.poses_in(self.table, MOST_ROWS);
@@ -106,9 +122,8 @@ impl<'a> Report<'a> {
             [self.about, self.source].map(|text| escaped(&json!(text.map(cut)).to_string()));
         let sources = sources(self.summary.trajectory, self.table, self.derived);
         let cuts = escaped(&cuts(&sources).to_string());
-        let page = page();
         let used = [&facts, &shape, &drawing, &about, &source, &cuts].map(|text| text.len());
-        let used = page.concat().len() + used.iter().sum::<usize>() + notes.concat().len();
+        let used = around + used.iter().sum::<usize>() + notes.concat().len();
         let rows = self.table.len();
         let room = LIMIT.saturating_sub(used + MARGIN);
         let plan = plan(&sources, rows, room, |source| heading(source).len() + 1);
@@ -134,8 +149,7 @@ impl<'a> Report<'a> {
         ];
         let data = parts.map(|(name, json)| format!("{}:{json}", Value::from(name)));
         let data = format!("{{{}}}", data.join(","));
-        let [before, between, after] = page;
-        for text in [before, data, between] {
+        for text in [before, data.as_str(), between] {
             out.write_all(text.as_bytes())?;
         }
         write_values(kept.iter().copied(), &plan, out)?;

@@ -13,8 +13,8 @@ const linkdyn = {};
     return bytes;
   };
   // Little-endian floats; an empty cell is NaN.
-  const Floats = given.bytes === 8 ? Float64Array : Float32Array;
-  const floats = new Floats(decoded(id("values").textContent.trim()).buffer);
+  const floatsOf = ({ bytes }, text) => new (bytes === 8 ? Float64Array : Float32Array)(decoded(text.trim()).buffer);
+  const floats = floatsOf(given, id("values").textContent);
 
   // Control characters and those that change the direction of writing, spelt out.
   const plain = (any) => String(any).replace(/[\u0000-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g,
@@ -36,5 +36,5 @@ const linkdyn = {};
   // A status in words.
   const words = (text) => text === "quasi_statics" ? "quasi-statics" : String(text).replaceAll("_", " ");
 
-  Object.assign(linkdyn, { given, floats, plain, element, svg, icon, id, words, palette: given.palette, mechanism: given.mechanism });
+  Object.assign(linkdyn, { given, floats, floatsOf, plain, element, svg, icon, id, words, palette: given.palette, mechanism: given.mechanism });
 })();

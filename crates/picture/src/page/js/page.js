@@ -8,10 +8,11 @@
     document.title = [plain(name), ...(kind ? [kind] : []), "linkdyn"].join(" – ");
     id("name").textContent = plain(name);
     if (line) id("line").textContent = plain(line);
-    notes.forEach((text) => id("notes").append(element("p", { text, className: "text" })));
+    const paragraph = (text) => element("p", { text, className: "text" });
+    id("notes").replaceChildren(...notes.map(paragraph));
     id("notes").hidden = !notes.length;
     const engine = given.engine || given.summary.engine;
-    for (const text of [...foot, `linkdyn ${engine}. All numbers are in ${files}, in SI units.`]) id("foot").append(element("p", { text, className: "text" }));
+    id("foot").replaceChildren(...[...foot, `linkdyn ${engine}. All numbers are in ${files}, in SI units.`].map(paragraph));
   };
 
   id("theme").addEventListener("click", theme.toggle);

@@ -1,8 +1,7 @@
 "use strict";
 // Where bodies and points are at a row, in metres and global axes.
 // Measured again where another motion is shown.
-linkdyn.measureShapes = () => {
-  const { mechanism, rows, column } = linkdyn;
+linkdyn.measureShapes = ({ mechanism, rows, column, given } = linkdyn) => {
 
   const poses = mechanism.bodies.map(({ name }, k) => {
     if (k === 0) return null;
@@ -33,7 +32,7 @@ linkdyn.measureShapes = () => {
     return at && point ? carry(at, point[1], point[2]) : null;
   };
   // Corners of the hull of a body.
-  const hull = (body, row) => (linkdyn.given.drawing.hulls[body] || []).map((number) => shapes.place([body, number], row));
+  const hull = (body, row) => (given.drawing.hulls[body] || []).map((number) => shapes.place([body, number], row));
 
   const shapes = { known, pose, place, carry, turn, hull };
   return shapes;

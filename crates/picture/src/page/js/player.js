@@ -20,8 +20,8 @@
   };
 
   // The last row whose time is not later.
-  const rowAt = (instant, values = linkdyn.time) => {
-    let low = 0, high = end();
+  const rowAt = (instant, values = linkdyn.time, rows = linkdyn.rows) => {
+    let low = 0, high = Math.max(rows - 1, 0);
     while (low < high) {
       const middle = Math.ceil((low + high) / 2);
       if (values[middle] <= instant) low = middle; else high = middle - 1;
@@ -62,6 +62,8 @@
 
   linkdyn.player = {
     seek, rowAt, nearest, play, pause, rate, toggle,
+    // The same instant of another run; who listens to rows hears of the run itself.
+    renew: (instant) => { row = nearest(instant); const inside = clock < span(); if (!playing || !inside) clock = span() > 0 ? linkdyn.time[row] - linkdyn.time[0] : 0; },
     step: (by) => { pause(); seek(row + by); },
     get row() { return row; },
     get playing() { return playing; },

@@ -2,7 +2,7 @@
 // The numbers that the model asks for, before all others. Those that miss their limits are hard to overlook.
 (() => {
   const { element, units, summary, id } = linkdyn;
-  const answers = Object.entries(summary.responses || {});
+  const answers = () => Object.entries(summary.responses || {});
   const WORDS = { missed: ["missed", "badge bad"], kept: ["kept", "badge good"] };
 
   // In the unit that the model declares; the choice of SI is for those without one.
@@ -15,10 +15,11 @@
     if (state) parts.push(element("span", { text: WORDS[state][0], className: WORDS[state][1] }));
     return element("p", { className: `answer ${state}` }, ...parts);
   };
-  const show = () => id("answers").replaceChildren(...answers.map(one));
-  id("answers").hidden = !answers.length;
+  const show = () => id("answers").replaceChildren(...answers().map(one));
+  id("answers").hidden = !answers().length;
   // Before what the run warns of.
   id("notes").before(id("answers"));
   units.onChange(show);
+  linkdyn.onData(show);
   show();
 })();

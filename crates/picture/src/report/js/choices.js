@@ -9,7 +9,9 @@
   // The largest size of a column, and of all columns of its unit: what is tiny compared with them is round-off.
   const size = (column) => Math.max(0, ...endsOf(column).filter(Number.isFinite).map(Math.abs));
   const ofUnit = new Map();
-  for (const column of columns) ofUnit.set(column.unit, Math.max(ofUnit.get(column.unit) || 0, size(column)));
+  const weigh = () => { ofUnit.clear(); for (const column of columns) ofUnit.set(column.unit, Math.max(ofUnit.get(column.unit) || 0, size(column))); };
+  linkdyn.onData(weigh);
+  weigh();
   const nothing = (value, unit) => Math.abs(value) <= 1e-11 * (ofUnit.get(unit) || 0);
   const lives = (column) => size(column) > 0 && !nothing(size(column), column.unit);
   // Round-off about zero varies by much of its own size, so it is compared with all columns of its unit, too.

@@ -2,7 +2,7 @@
 // Joints with clearance, magnified: bearing, journal, the orbit of its centre, the force on it, and where the bearing wears. The
 // journal is drawn so that the radial clearance is a part of the bearing that can be seen.
 (() => {
-  const { mechanism, shapes, player, units, column, rows, element, drawing, summary, textOf } = linkdyn;
+  const { mechanism, shapes, player, units, column, element, drawing, summary, textOf } = linkdyn;
   const SIZE = 250, BEARING = 88, GAP = 34, RIM = 9, WEAR = 18;
   const sums = summary.clearances || {};
   const insets = mechanism.joints
@@ -17,18 +17,29 @@
     .slice(0, 24);
 
   for (const inset of insets) {
+    const fact = () => element("span", { className: "number" });
     inset.canvas = element("canvas", { role: "img", "aria-label": `Journal in the bearing of joint ${linkdyn.plain(inset.name)}` });
     inset.pen = drawing.prepare(inset.canvas, SIZE, SIZE);
     inset.value = element("span", { className: "number" });
-    if (inset.f) inset.most = linkdyn.endsOf(inset.f)[1] || 0;
     const total = (inset.wear || []).reduce((sum, part) => sum + part, 0);
     const lines = [["eccentricity", inset.value]];
     inset.force = element("span", { className: "number" });
-    if (inset.f) lines.push(["force on the journal", inset.force], ["largest", element("span", { className: "number", text: units.quantity(inset.most, "N", 4) })]);
-    lines.push(["radial clearance", element("span", { className: "number", text: units.length(inset.radius) })]);
-    if (total > 0) lines.push(["sliding work under load, for wear", element("span", { className: "number", text: units.quantity(total, "J", 4) })]);
+    if (inset.f) lines.push(["force on the journal", inset.force], ["largest", inset.largest = fact()]);
+    lines.push(["radial clearance", inset.gap = fact()]);
+    if (total > 0) lines.push(["sliding work under load, for wear", inset.work = fact()]);
     const legend = element("div", { className: "legend" }, element("h2", { text: inset.name, className: "text" }),
       ...lines.map(([word, value]) => element("p", {}, element("span", { text: word, className: "muted" }), " ", value)));
+    // What follows from the run.
+    inset.read = () => {
+      const joint = mechanism.joints.find((own) => own.name === inset.name);
+      inset.radius = joint.clearance.radius;
+      inset.orbit = null;
+      inset.wear = Object.hasOwn(sums, inset.name) ? sums[inset.name].wear : undefined;
+      inset.gap.textContent = units.length(inset.radius);
+      if (inset.f) { inset.most = linkdyn.endsOf(inset.f)[1] || 0; inset.largest.textContent = units.quantity(inset.most, "N", 4); }
+      if (inset.work) inset.work.textContent = units.quantity((inset.wear || []).reduce((sum, part) => sum + part, 0), "J", 4);
+    };
+    inset.read();
     document.getElementById("insets").append(element("figure", { className: "inset" }, inset.canvas, legend));
   }
   document.getElementById("clearance").hidden = insets.length === 0;
@@ -49,7 +60,7 @@
     if (inset.orbit) return inset.orbit;
     const path = inset.orbit = new Path2D();
     let down = false;
-    for (let k = 0; k < rows; k++) {
+    for (let k = 0; k < linkdyn.rows; k++) {
       const p = at(k);
       if (!p.every(Number.isFinite)) { down = false; continue; }
       if (down) path.lineTo(...p); else path.moveTo(...p);
@@ -107,5 +118,6 @@
   settle();
   player.onRow(draw);
   units.onChange(draw);
+  linkdyn.onData(() => { insets.forEach((inset) => inset.read()); draw(); });
   linkdyn.clearance = { draw };
 })();

@@ -24,7 +24,7 @@
     if (event.note) what.append(": ", name(event.note));
     return what;
   };
-  const { mobility, quality, statistics, timing, settings, equilibrium } = summary;
+  const { settings } = summary;
   // A sample is in the unit of its driver, the rest that has one is time.
   const settingUnit = ([key, inner]) => {
     if (key === "sample") return mechanism.drivers.find(({ name }) => name === settings.sample.driver)?.type === "rotation" ? "rad" : "m";
@@ -38,13 +38,18 @@
   const flat = (value, path) => value !== null && typeof value === "object" && !Array.isArray(value)
     ? Object.entries(value).flatMap(([key, inner]) => flat(inner, [...path, key])) : [[words(path.join(" ")), setting(value, path)]];
 
-  const happened = summary.events.length ? table("Events", { open: summary.events.length <= MANY, note: `${summary.events.length}` }) : null;
-  const warned = summary.warnings.length, ok = summary.status === "completed" && !warned;
-  const diagnostics = table("How the run went", { open: !ok, note: `${words(summary.status)}${warned ? `, ${warned} warning${warned > 1 ? "s" : ""}` : ""}` });
+  const happened = table("Events", { open: summary.events.length <= MANY, note: "0" });
+  const note = (box, text) => { box.querySelector("summary .muted").textContent = ` ${text}`; };
+  const diagnostics = table("How the run went", { open: summary.status !== "completed" || summary.warnings.length > 0, note: "–" });
   const work = table("Settings and work", { open: false });
 
   const fill = () => {
-    if (happened) { happened.querySelector(".scroll")?.remove(); happened.append(element("div", { className: "scroll" }, list(summary.events.map(event)))); }
+    const { mobility, quality, statistics, timing, equilibrium } = summary, warned = summary.warnings.length;
+    happened.parentElement.hidden = !summary.events.length;
+    note(happened, String(summary.events.length));
+    note(diagnostics, `${words(summary.status)}${warned ? `, ${warned} warning${warned > 1 ? "s" : ""}` : ""}`);
+    happened.querySelector(".scroll")?.remove();
+    happened.append(element("div", { className: "scroll" }, list(summary.events.map(event))));
     pairs(diagnostics, [
       ["status", words(summary.status)], ["why", summary.message],
       ["mobility", `${mobility.grubler} by Grübler, ${mobility.rank} by rank, drivers: ${mobility.drivers}`],
@@ -74,7 +79,7 @@
     meanings.forEach((text) => made.append(element("p", { text })));
   }
 
-
   units.onChange(fill);
+  linkdyn.onData(fill);
   fill();
 })();

@@ -1,7 +1,7 @@
 "use strict";
 // Export: plots and the drawing as SVG or PNG, columns as CSV, a film, a link to an instant.
 (() => {
-  const { element, plots, stage, player, theme, figure, SvgPen, time, rows, summary, shapes, id } = linkdyn;
+  const { element, plots, stage, player, theme, figure, SvgPen, summary, shapes, id } = linkdyn;
   const SHARP = 3;
   const plain = (text) => linkdyn.plain(text).replace(/[^\p{L}\p{N}._-]+/gu, "_").slice(0, 80) || "linkdyn";
 
@@ -38,7 +38,7 @@
   const plotSvg = (plot) => svg(figure.size(plot, new SvgPen(1, 1)), (pen) => figure.draw(plot, pen));
   const plotPng = (plot) => png(figure.size(plot, new SvgPen(1, 1)), (pen) => figure.draw(plot, pen));
   const poseDraws = (pen) => stage.pose(pen);
-  const poseName = () => `${title}-${plain(linkdyn.units.number(time[player.row], 5))}s`;
+  const poseName = () => `${title}-${plain(linkdyn.units.number(linkdyn.time[player.row], 5))}s`;
 
   // A film of the whole run as it is played, in what the browser can record.
   const KINDS = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
@@ -85,10 +85,10 @@
   plots.list.forEach((plot) => plot.head());
 
   // A link to an instant: #t=SECONDS.
-  const hash = () => `#t=${Number(time[player.row].toPrecision(8))}`;
+  const hash = () => `#t=${Number(linkdyn.time[player.row].toPrecision(8))}`;
   const go = () => {
     const found = /^#t=([-+.\deE]+)$/.exec(location.hash), instant = found ? Number(found[1]) : NaN;
-    if (Number.isFinite(instant) && rows) player.seek(player.nearest(instant));
+    if (Number.isFinite(instant) && linkdyn.rows) player.seek(player.nearest(instant));
   };
   const link = (button) => {
     location.hash = hash();
@@ -98,17 +98,17 @@
 
   // Of the drawing.
   const button = (word, title, act) => { const made = element("button", { type: "button", text: word, title, on: { click: () => act(made) } }); id("export").append(made); };
-  if (rows && shapes.known) {
+  if (linkdyn.rows && shapes.known) {
     button("Drawing SVG", "The mechanism as it is shown, as lines", () => text(`${poseName()}.svg`, "image/svg+xml", svg(stage.size, poseDraws)));
     button("Drawing PNG", "The mechanism as it is shown, as pixels", async () => give(`${poseName()}.png`, await png(stage.size, poseDraws)));
-    if (rows > 1 && kind()) button("Film", "The whole run, at the chosen speed", (made) => film(made));
+    if (linkdyn.rows > 1 && kind()) button("Film", "The whole run, at the chosen speed", (made) => film(made));
   }
-  if (rows) {
-    const all = () => { const plot = { abscissa: { name: "time", unit: "s", values: time }, zoom: null, columns: [...new Set(plots.list.flatMap(({ columns, across }) => across ? [across, ...columns] : columns))] }; return figure.csv(plot); };
+  if (linkdyn.rows) {
+    const all = () => { const plot = { abscissa: { name: "time", unit: "s", values: linkdyn.time }, zoom: null, columns: [...new Set(plots.list.flatMap(({ columns, across }) => across ? [across, ...columns] : columns))] }; return figure.csv(plot); };
     button("CSV", "The columns of all plots", () => text(`${title}.csv`, "text/csv", all()));
     button("Link to this instant", "A link that opens this page at the instant shown", link);
   }
-  id("export").hidden = !rows;
+  id("export").hidden = !linkdyn.rows;
   addEventListener("hashchange", go);
   go();
   linkdyn.exports = { plotSvg, plotPng, poseSvg: () => svg(stage.size, poseDraws), csv: figure.csv, film, hash };

@@ -1,7 +1,7 @@
 "use strict";
 // Force arrows: all to one scale, which a legend shows; the longest are cut and have a double head; values stand at the heads.
 (() => {
-  const { mechanism, shapes, drawing, units, column, rows } = linkdyn;
+  const { mechanism, shapes, drawing, units, column } = linkdyn;
   const pairs = (prefix, things) => things.map(({ name }) => ["fx", "fy"].map((q) => column(`${prefix}.${name}.${q}`)));
   const joints = pairs("joint", mechanism.joints), loads = pairs("force", mechanism.loads);
   const torques = mechanism.loads.map(({ name }) => column(`force.${name}.torque`));
@@ -9,14 +9,15 @@
 
   // A large one of some forces over the run: not the largest, since peaks at singular positions would shrink all others.
   const typical = (list) => {
-    const sizes = [], step = Math.max(1, Math.ceil(rows / MOST_ROWS));
-    for (const [fx, fy] of list) if (fx && fy) for (let k = 0; k < rows; k += step) {
+    const sizes = [], step = Math.max(1, Math.ceil(linkdyn.rows / MOST_ROWS));
+    for (const [fx, fy] of list) if (fx && fy) for (let k = 0; k < linkdyn.rows; k += step) {
       const f = Math.hypot(fx.values[k], fy.values[k]);
       if (f > 0) sizes.push(f);
     }
     return sizes.length ? Float64Array.from(sizes).sort()[Math.floor((sizes.length - 1) * 0.85)] : 0;
   };
   let size = null;
+  linkdyn.onData(() => { size = null; });
   const sizes = () => size ??= { joints: typical(joints), loads: typical(loads) };
 
   const one = (state, from, [fx, fy], { unit, long, most, colour, name, into }) => {

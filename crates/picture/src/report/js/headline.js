@@ -1,13 +1,15 @@
 "use strict";
 // The numbers that a reader looks for first: effort, largest forces, strokes, speeds, contacts.
 (() => {
-  const { mechanism, summary, columns, time, rows, shapes, units, column, choices, plain, endRows, endsOf } = linkdyn;
+  const { mechanism, summary, columns, shapes, units, column, choices, plain, endRows, endsOf } = linkdyn;
   const bodies = new Set(mechanism.bodies.map(({ name }) => name));
   const MOST = 4;
 
   // When a column has no bound, where it has none: it has no largest value then, whatever its rows show.
   const bounds = new Map();
-  for (const { columns: names, times } of summary.unbounded || []) for (const name of names) if (!bounds.has(name)) bounds.set(name, Math.min(...times));
+  const bound = () => {
+    for (const { columns: names, times } of summary.unbounded || []) for (const name of names) if (!bounds.has(name)) bounds.set(name, Math.min(...times));
+  };
   const unbounded = ({ name }) => {
     const size = /^(joint\..*)\.f$/.exec(name), of = size ? [`${size[1]}.fx`, `${size[1]}.fy`] : [name];
     const found = of.filter((part) => bounds.has(part)).map((part) => bounds.get(part));
@@ -23,8 +25,8 @@
   // Root of the mean square over time.
   const rms = ({ values }) => {
     let [sum, span] = [0, 0];
-    for (let k = 1; k < rows; k++) {
-      const step = time[k] - time[k - 1], mean = (values[k] ** 2 + values[k - 1] ** 2) / 2;
+    for (let k = 1; k < linkdyn.rows; k++) {
+      const step = linkdyn.time[k] - linkdyn.time[k - 1], mean = (values[k] ** 2 + values[k - 1] ** 2) / 2;
       if (Number.isFinite(mean)) { sum += mean * step; span += step; }
     }
     return span > 0 ? Math.sqrt(sum / span) : NaN;
@@ -33,7 +35,7 @@
   // How far a block or pin goes along its guide.
   const stroke = ({ between, axis }) => {
     let [low, high] = [Infinity, -Infinity];
-    for (let row = 0, step = Math.max(1, Math.ceil(rows / 2000)); row < rows; row += step) {
+    for (let row = 0, step = Math.max(1, Math.ceil(linkdyn.rows / 2000)); row < linkdyn.rows; row += step) {
       const pose = shapes.pose(between[0][0], row), [a, b] = between.map((end) => shapes.place(end, row));
       if (!pose || !a || !b) continue;
       const u = shapes.turn(pose, ...axis), slide = u[0] * (b[0] - a[0]) + u[1] * (b[1] - a[1]);
@@ -50,7 +52,7 @@
   const wanted = (name) => { const found = column(name); return found && found.wanted ? found : undefined; };
   const speed = (vx, vy) => {
     let best = -1, most = -1;
-    for (let k = 0; k < rows; k++) { const v = Math.hypot(vx.values[k], vy.values[k]); if (v > most) [best, most] = [k, v]; }
+    for (let k = 0; k < linkdyn.rows; k++) { const v = Math.hypot(vx.values[k], vy.values[k]); if (v > most) [best, most] = [k, v]; }
     return [most, best];
   };
 
@@ -60,7 +62,7 @@
       if (!effort) continue;
       const kind = effort.unit === "N" ? "driving force" : "driving torque";
       largest(`Peak ${kind} of`, name, effort);
-      if (rows > 2) put(`RMS ${kind} of`, name, rms(effort), effort.unit);
+      if (linkdyn.rows > 2) put(`RMS ${kind} of`, name, rms(effort), effort.unit);
     }
     const forces = columns.filter(({ name, wanted }) => wanted && /^joint\..*\.f$/.test(name));
     // Those without bound would leave no room for those that have a largest value.
@@ -71,7 +73,7 @@
       if (found && endRows(found)[0] >= 0) for (const [k, size] of ["smallest", "largest"].entries()) at(`${word}, ${size}`, "", found, endRows(found)[k]);
     }
     for (const found of columns.filter(({ name, wanted }) => wanted && /^transmission\..*\.angle$/.test(name)).slice(0, MOST)) at("Smallest transmission angle at", found.name.slice(13, -6), found, endRows(found)[0]);
-    if (rows < 2) return;
+    if (linkdyn.rows < 2) return;
     for (const joint of mechanism.joints.filter(({ axis }) => axis).slice(0, MOST)) put("Stroke of", joint.name, stroke(joint), "m");
     const angles = columns.filter(({ name, wanted }) => wanted && name.endsWith(".angle") && bodies.has(name.slice(0, -6)) && name.split(".").length === 2);
     for (const found of angles.filter((found) => choices.varies(found) && range(found) < 2 * Math.PI).slice(0, MOST)) put("Swing of", found.name.slice(0, -6), range(found), "rad");
@@ -90,6 +92,8 @@
       put("Energy lost in contacts of", joint, sums.energy_lost, "J");
     }
   };
-  if (rows) collect();
+  const begin = () => { bounds.clear(); bound(); list.length = 0; if (linkdyn.rows) collect(); };
+  linkdyn.onData(begin);
+  begin();
   linkdyn.headline = { list, unbounded };
 })();

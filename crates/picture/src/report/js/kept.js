@@ -2,7 +2,7 @@
 // What a reader has chosen survives a new run: the page that shows the report of each run asks for it, and gives it to the next report
 // in its address. Names that are not there any more are left out.
 (() => {
-  const { player, plots, stage, units, theme, byName, time, id } = linkdyn;
+  const { player, plots, stage, units, theme, byName, id } = linkdyn;
   const MOST = 60;
   const inputs = () => [...id("side").querySelectorAll("input, select")];
   const finite = (list, count) => Array.isArray(list) && list.length === count && list.every(Number.isFinite);
@@ -11,7 +11,7 @@
   const chosen = {
     plots: () => plots.list.map(({ columns, across, equal }) => [columns.map(({ name }) => name), across && across.name, equal]),
     drawer: () => inputs().map((input) => input.type === "checkbox" ? input.checked : input.value),
-    instant: () => time[player.row],
+    instant: () => linkdyn.time[player.row],
     over: () => id("abscissa").selectedIndex,
   };
   const untouched = Object.fromEntries(Object.entries(chosen).map(([key, of]) => [key, JSON.stringify(of())]));
@@ -50,6 +50,16 @@
   if (found) try { restore(JSON.parse(decodeURIComponent(found[1]))); } catch (why) { console.info(`not all is kept: ${why.message}`); }
 
   if (parent !== window) addEventListener("message", ({ source, data }) => {
-    if (source === parent && data === "linkdyn: what is chosen?") source.postMessage({ chosen: JSON.stringify(state()) }, "*");
+    if (source !== parent) return;
+    if (data === "linkdyn: what is chosen?") source.postMessage({ chosen: JSON.stringify(state()) }, "*");
+    if (typeof data?.run === "string") {
+      const taken = linkdyn.renew(data.run, data.trying === true);
+      // Told when it is on the screen.
+      requestAnimationFrame(() => setTimeout(() => source.postMessage({ taken, number: data.number }, "*"), 0));
+    }
+    if (typeof data?.dim === "boolean") document.body.classList.toggle("old", data.dim);
   });
+  const tell = () => { if (parent !== window) parent.postMessage({ dark: theme.dark }, "*"); };
+  theme.onChange(tell);
+  tell();
 })();

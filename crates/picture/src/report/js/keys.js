@@ -1,7 +1,7 @@
 "use strict";
 // Keys, light and dark, paper; starts the page.
 (() => {
-  const { element, player, stage, clearance, plots, theme, drawer, page, rows, id } = linkdyn;
+  const { element, player, stage, clearance, plots, theme, drawer, page, id } = linkdyn;
   theme.onChange(() => { stage.recolour(); clearance.draw(); });
 
   const press = (name) => () => id(name).click();
@@ -9,7 +9,7 @@
   page.listen(
     ["Space", "play or pause", [" "], () => player.toggle()],
     ["← →", "previous or next instant; with Shift ten instants", ["ArrowLeft", "ArrowRight"], (event) => player.step((event.key === "ArrowLeft" ? -1 : 1) * (event.shiftKey ? 10 : 1))],
-    ["Home End", "first or last instant", ["Home", "End"], (event) => player.step(event.key === "Home" ? -rows : rows)],
+    ["Home End", "first or last instant", ["Home", "End"], (event) => player.step(event.key === "Home" ? -linkdyn.rows : linkdyn.rows)],
     ["↑ ↓", "faster or slower", ["ArrowUp", "ArrowDown"], (event) => speed(event.key === "ArrowUp" ? 1 : -1)()],
     ["+ − 0", "zoom in, zoom out, fit the whole mechanism", ["+", "=", "-", "0"], (event) => event.key === "0" ? stage.whole() : stage.zoom(event.key === "-" ? 0.8 : 1.25)],
     ["f", "force arrows of joints", ["f"], press("arrows")],

@@ -22,5 +22,6 @@
     canvas.addEventListener("click", () => document.getElementById("motion").scrollIntoView({ block: "start" }));
   }
   player.onRow(draw);
+  linkdyn.onData(draw);
   linkdyn.theme.onChange(draw);
 })();

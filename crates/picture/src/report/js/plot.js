@@ -1,7 +1,7 @@
 "use strict";
 // One plot: curves of columns with at most two units, over what all plots share (time, a driver's value) or a column of its own.
 (() => {
-  const { player, units, element, icon, rows, axes, tone, plotMarks } = linkdyn;
+  const { player, units, element, icon, axes, tone, plotMarks } = linkdyn;
   const HEIGHT = 210;
   const DASHES = [[], [8, 4], [2, 3], [12, 3, 2, 3], [5, 5], [1, 4]];
   const dashes = (k) => DASHES[k % DASHES.length];
@@ -44,7 +44,8 @@
       // What is out of sight need not follow, nor be drawn before there is time.
       this.seen = true;
       this.awake = false;
-      new IntersectionObserver(([entry]) => { this.seen = entry.isIntersecting; if (this.seen) { this.wake(); this.mark(); } }).observe(this.root);
+      this.stale = false;
+      new IntersectionObserver(([entry]) => { this.seen = entry.isIntersecting; if (this.seen) { this.wake(); if (this.stale) this.renew(); this.mark(); } }).observe(this.root);
       // Not at once: a new height is a change of its own.
       new ResizeObserver(() => setTimeout(() => { if (this.awake) this.fit(); }, 0)).observe(this.holder);
     }
@@ -53,7 +54,7 @@
     scale(column) { return this.apart && column === this.columns[1] ? `${column.unit}, right` : column.unit; }
     get scales() { return [...new Set(this.columns.map((column) => this.scale(column)))]; }
     get units() { return [...new Set(this.columns.map((column) => column.unit))]; }
-    get abscissa() { return this.across ? { ...this.across, label: short(this.across.name) } : this.plots.abscissa; }
+    get abscissa() { return this.across ? { name: this.across.name, unit: this.across.unit, values: this.across.values, label: short(this.across.name) } : this.plots.abscissa; }
     get order() { return this.across ? { monotone: false, reversed: false } : this.plots.order; }
     get zoom() { return this.across ? null : this.plots.zoom; }
     takes(column) { return !this.columns.includes(column) && !this.across && (this.units.includes(column.unit) || this.units.length < 2); }
@@ -79,23 +80,20 @@
       if (!this.columns.length || this.width < 40) return;
       this.apart = !this.across && linkdyn.choices.apart(this.columns);
       const { abscissa, order } = this, across = units.of(abscissa.unit), columns = [...this.columns];
-      const arrange = (values) => order.reversed ? values.reverse() : values;
-      const xs = arrange(times(abscissa.values, across.factor));
-      const data = [xs, ...this.columns.map((column) => arrange(times(column.values, units.of(column.unit).factor)))];
-      const whole = this.across ? axes.padded(...this.plots.range(xs)) : this.plots.range(xs);
-      const scales = { x: { time: false, range: (u) => this.zoom || (this.equal ? this.even(u, data)[0] : whole) } };
+      this.gather();
+      const scales = { x: { time: false, range: (u) => this.zoom || (this.equal ? this.even(u, this.data)[0] : this.whole) } };
       const axis = [axes.axis(across.label, { label: `${abscissa.label}${across.label === "–" ? "" : ` [${across.label}]`}`, labelSize: 16, size: 28 })];
       this.scales.forEach((scale, k) => {
         const own = columns.filter((column) => this.scale(column) === scale), { label, factor } = units.of(own[0].unit);
         const cut = (column) => this.plots.cut ? axes.scaled(linkdyn.cutOf(column), factor) : [null, null];
-        const curves = () => own.map((column) => ({ values: data[columns.indexOf(column) + 1], cut: cut(column) }));
-        scales[scale] = { range: (u) => this.equal ? this.even(u, data)[1] : axes.padded(...axes.span(curves(), () => this.inView(data))) };
+        const curves = () => own.map((column) => ({ values: this.data[columns.indexOf(column) + 1], cut: cut(column) }));
+        scales[scale] = { range: (u) => this.equal ? this.even(u, this.data)[1] : axes.padded(...axes.span(curves(), () => this.inView(this.data))) };
         const made = axes.axis(label, { scale, side: k ? 1 : 3, stroke: this.ink(scale), size: tickSize, label: `${this.axisName(own)}[${label}]`, labelSize: 18 });
         axis.push({ ...made, grid: { ...made.grid, show: k === 0 } });
       });
       const series = [{}, ...this.columns.map((column, k) => ({
         scale: this.scale(column), stroke: tone(k), width: 1.7, dash: dashes(k), spanGaps: false,
-        points: { show: rows === 1 || undefined }, ...(order.monotone ? {} : { paths: wandering, points: { show: false } }),
+        points: { show: linkdyn.rows === 1 || undefined }, ...(order.monotone ? {} : { paths: wandering, points: { show: false } }),
       }))];
       // uPlot draws later: a plot that was rebuilt meanwhile has nothing to say.
       const alive = (act) => (u) => { if (this.u === u) act(u); };
@@ -103,12 +101,31 @@
         ...axes.options(!this.across, () => this.plots.setZoom(null)),
         width: this.width, height: this.height, scales, axes: axis, series, padding: [8, this.scales.length > 1 ? 4 : 14, 0, 4],
         hooks: { drawClear: [alive((u) => plotMarks.events(this, u))], draw: [alive((u) => { this.labels = plotMarks.words(this, u); }), alive(() => this.mark())], setSelect: [alive((u) => { const zoom = axes.dragged(u); if (zoom) this.plots.setZoom(zoom); })] },
-      }, data, this.holder);
+      }, this.data, this.holder);
+      this.monotone = order.monotone;
       this.line = element("div", { className: "now-line" });
       this.dots = this.columns.map((column, k) => { const dot = element("div", { className: "now-dot" }); dot.style.background = tone(k); return dot; });
       this.u.over.append(this.line, ...this.dots);
       this.settle();
       this.listen();
+      this.mark();
+    }
+
+    // What is drawn, in the units that are shown.
+    gather() {
+      const { abscissa, order } = this, arrange = (values) => order.reversed ? values.reverse() : values;
+      const xs = arrange(times(abscissa.values, units.of(abscissa.unit).factor));
+      this.data = [xs, ...this.columns.map((column) => arrange(times(column.values, units.of(column.unit).factor)))];
+      this.whole = this.across ? axes.padded(...this.plots.range(xs)) : this.plots.range(xs);
+    }
+    // The same curves of another run; what is out of sight waits until it is seen.
+    renew() {
+      this.stale = !this.seen;
+      if (this.stale || !this.u) return;
+      if (this.monotone !== this.order.monotone) { this.build(); return; }
+      this.gather();
+      this.u.setData(this.data, true);
+      this.settle();
       this.mark();
     }
 

@@ -1,7 +1,7 @@
 "use strict";
 // What stands in a plot besides its curves: events, and the values of peaks that are cut off.
 (() => {
-  const { units, time, marks, tone, colour } = linkdyn;
+  const { units, marks, tone, colour } = linkdyn;
   const FOOT = 7, MOST_EVENTS = 4;
   const place = (plot, u, value) => u.valToPos(value * units.of(plot.abscissa.unit).factor, "x", true);
 
@@ -30,7 +30,7 @@
 
   const peakWords = (plot, column, row) => {
     const { abscissa } = plot;
-    const where = plot.across ? `${units.number(time[row], 4)} s` : units.quantity(abscissa.values[row], abscissa.unit, 4);
+    const where = plot.across ? `${units.number(linkdyn.time[row], 4)} s` : units.quantity(abscissa.values[row], abscissa.unit, 4);
     if (linkdyn.headline.unbounded(column) !== undefined) return `no bound near ${where}`;
     return `${units.quantity(column.values[row], column.unit, 4, true)} at ${where}`;
   };

@@ -1,13 +1,13 @@
 "use strict";
 // All plots: what they are over, which part is in view, which of them take a column.
 (() => {
-  const { Plot, player, units, element, byName, mechanism, summary, time, rows, choices, id } = linkdyn;
+  const { Plot, player, units, element, byName, mechanism, summary, choices, id } = linkdyn;
   const { shown, presets, first, oneScale } = choices;
   const MOST_COLUMNS = 6, MOST_MATCHES = 12;
   const cards = id("cards"), names = id("plotbar").appendChild(element("datalist", { id: "names" }));
   const drivers = mechanism.drivers.map(({ name }) => byName.get(`driver.${name}.value`)).filter(Boolean);
-  const clock = { name: "time", label: "time", unit: "s", values: time };
-  const axes = [clock, ...drivers.map((column) => ({ ...column, label: linkdyn.plain(column.name.slice(7, -6)) }))];
+  const clock = { name: "time", label: "time", unit: "s", get values() { return linkdyn.time; } };
+  const axes = [clock, ...drivers.map((column) => ({ name: column.name, unit: column.unit, label: linkdyn.plain(column.name.slice(7, -6)), get values() { return column.values; } }))];
 
   // Whether values only rise or only fall.
   const orderOf = (values) => {
@@ -20,7 +20,7 @@
   };
 
   const plots = {
-    list: [], abscissa: clock, order: orderOf(time), zoom: null, cut: true, events: [], shown, tools: null, hover() {}, leave() {},
+    list: [], abscissa: clock, order: orderOf(linkdyn.time), zoom: null, cut: true, events: [], shown, tools: null, hover() {}, leave() {},
 
     range(xs) {
       const real = xs.filter((x) => x !== null);
@@ -37,9 +37,9 @@
     // The row whose abscissa is nearest, and of several the one nearest to the row that is shown.
     nearest(value) {
       const { values } = plots.abscissa;
-      if (plots.order.monotone && !plots.order.reversed && rows > 2) {
+      if (plots.order.monotone && !plots.order.reversed && linkdyn.rows > 2) {
         const k = player.rowAt(value, values);
-        return k + 1 < rows && Math.abs(values[k + 1] - value) < Math.abs(values[k] - value) ? k + 1 : k;
+        return k + 1 < linkdyn.rows && Math.abs(values[k + 1] - value) < Math.abs(values[k] - value) ? k + 1 : k;
       }
       const [low, high] = plots.range(Array.from(values));
       return plots.closest([values, value, high - low]);
@@ -47,8 +47,8 @@
     // The row nearest in several quantities, each [values, value, size]; a row near the one that is shown is a little nearer.
     closest(...quantities) {
       let [best, least] = [player.row, Infinity];
-      for (let k = 0; k < rows; k++) {
-        const away = Math.hypot(...quantities.map(([values, value, size]) => (values[k] - value) / size)) + 0.02 * Math.abs(k - player.row) / rows;
+      for (let k = 0; k < linkdyn.rows; k++) {
+        const away = Math.hypot(...quantities.map(([values, value, size]) => (values[k] - value) / size)) + 0.02 * Math.abs(k - player.row) / linkdyn.rows;
         if (away < least) [best, least] = [k, away];
       }
       return best;
@@ -164,14 +164,19 @@
   cut.addEventListener("change", () => { plots.cut = cut.checked; plots.setZoom(plots.zoom); });
 
   // An engineer reads over the crank's angle, where it goes one way.
-  const value = rows > 1 && mechanism.drivers.length === 1 && drivers.length === 1 ? drivers[0].values : null;
-  over(value && orderOf(value).monotone && value[0] !== value[rows - 1] ? 1 : 0);
-  if (rows > 1) {
+  const value = linkdyn.rows > 1 && mechanism.drivers.length === 1 && drivers.length === 1 ? drivers[0].values : null;
+  over(value && orderOf(value).monotone && value[0] !== value[linkdyn.rows - 1] ? 1 : 0);
+  if (linkdyn.rows > 1) {
     first.forEach((preset) => plots.put(preset.list, preset));
     if (!first.length && shown.length) plots.put(oneScale(shown).slice(0, 3));
   }
-  id("plots").hidden = rows < 2 || !shown.length;
+  id("plots").hidden = linkdyn.rows < 2 || !shown.length;
 
+  linkdyn.onData(() => {
+    plots.order = orderOf(plots.abscissa.values);
+    place();
+    plots.list.forEach((plot) => plot.renew());
+  });
   player.onRow(() => plots.list.forEach((plot) => { if (plot.seen) plot.mark(); }));
   units.onChange(() => { plots.zoom = null; id("unzoom").disabled = true; plots.rebuild(); });
   linkdyn.theme.onChange(() => plots.rebuild());

@@ -1,7 +1,7 @@
 "use strict";
 // The canvas: what part of the plane it shows, paths of points, forces, names.
 (() => {
-  const { given, mechanism, shapes, drawing, labels, forces, player, units, rows } = linkdyn;
+  const { given, mechanism, shapes, drawing, ghost, labels, forces, player, units } = linkdyn;
   const canvas = document.getElementById("canvas");
   const pen = canvas.getContext("2d");
   const small = mechanism.bodies.length <= 14;
@@ -35,7 +35,7 @@
   };
 
   // The path of a point, on any pen that draws lines.
-  const along = (pen, to, end) => {
+  const along = (pen, to, end, shapes, rows) => {
     let down = false;
     for (let k = 0; k < rows; k++) {
       const place = shapes.place(end, k);
@@ -46,17 +46,17 @@
   };
   // Kept as long as the view stays: it would take most of the time of a frame.
   const kept = { view: "", paths: new Map() };
-  const trace = (pen, to, key, number) => {
-    const end = key.split(",").map(Number);
+  const trace = (pen, to, key, number, of = linkdyn) => {
+    const end = key.split(",").map(Number), name = of === linkdyn ? key : `before ${key}`;
     pen.setLineDash(TRACE_DASHES[number % TRACE_DASHES.length]);
     if (pen.canvas === canvas) {
       const now = [view.x, view.y, view.scale, width, height].join(" ");
       if (kept.view !== now) { kept.view = now; kept.paths.clear(); }
-      if (!kept.paths.has(key)) { const path = new Path2D(); along(path, to, end); kept.paths.set(key, path); }
-      pen.stroke(kept.paths.get(key));
+      if (!kept.paths.has(name)) { const path = new Path2D(); along(path, to, end, of.shapes, of.rows); kept.paths.set(name, path); }
+      pen.stroke(kept.paths.get(name));
     } else {
       pen.beginPath();
-      along(pen, to, end);
+      along(pen, to, end, of.shapes, of.rows);
       pen.stroke();
     }
     pen.setLineDash([]);
@@ -90,6 +90,10 @@
   const picture = (pen, size, to, scale, row, background, taken, colours) => {
     const { width, height } = size;
     const bar = barOf(width, height);
+    ghost.draw(pen, { to, scale, bar, row, colours, show: { drivers: show.drivers } }, (before) => {
+      pen.strokeStyle = colours.accent; pen.lineWidth = 1.4;
+      [...options.traces].forEach((key, k) => trace(pen, to, key, k, before));
+    });
     const names = drawing.draw(pen, { to, scale, bar, row, colours, show });
     pen.strokeStyle = colours.accent; pen.lineWidth = 1.4;
     [...options.traces].forEach((key, k) => trace(pen, to, key, k));
@@ -101,7 +105,7 @@
     const list = names.filter(({ strong }) => !strong || show.bodies);
     const scales = forces.draw({ pen, to, bar, row, width, height, colours, names: list }, options);
     if (halo) halo({ pen, to, row, bar, colours });
-    const foot = rows ? [ruler(pen, size, scale, colours)] : [];
+    const foot = linkdyn.rows ? [ruler(pen, size, scale, colours)] : [];
     foot.push(...forces.legend(pen, scales, foot.length ? foot[0].x + foot[0].wide + 18 : 14, height - 8, width));
     // Values and pins before bodies, which their colours identify as well.
     list.sort((a, b) => Number(Boolean(a.strong)) - Number(Boolean(b.strong)));
@@ -181,6 +185,12 @@
   }, { passive: false });
   canvas.addEventListener("dblclick", () => { whole(); draw(); });
 
+  linkdyn.onData((trying) => {
+    kept.view = "";
+    // While a value is tried the view stays, so that what changes is the mechanism.
+    if (!own && !trying && width > 0) whole();
+    paint();
+  });
   player.onRow(draw);
   units.onChange(draw);
   linkdyn.stage = {

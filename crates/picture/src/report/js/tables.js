@@ -1,7 +1,7 @@
 "use strict";
 // Tables that fold: the first numbers, values at the instant shown, extremes.
 (() => {
-  const { element, units, player, columns, time, rows, mechanism, column, choices, headline, id } = linkdyn;
+  const { element, units, player, columns, mechanism, column, choices, headline, id } = linkdyn;
   const { name, number, row, heads, scroll } = linkdyn.tables;
   const MOST = 400;
   const table = (title, options) => { const { box, root } = linkdyn.tables.folded(title, options); id("tables").append(root); return box; };
@@ -14,14 +14,14 @@
   const first = element("tbody");
   const short = () => first.replaceChildren(...headline.list.map(({ what, name: of, value, unit, row: at, column, unbounded }) => {
     const label = element("td", {}, what, ...(of ? [" ", column ? plotting(column, of) : name(of)] : []));
-    return row(label, number(unbounded === undefined ? units.quantity(value, unit, 4) : "no bound"), instant(...(at === undefined && unbounded === undefined ? [] : [jump(unbounded ?? time[at])])));
+    return row(label, number(unbounded === undefined ? units.quantity(value, unit, 4) : "no bound"), instant(...(at === undefined && unbounded === undefined ? [] : [jump(unbounded ?? linkdyn.time[at])])));
   }));
   if (headline.list.length) table("In short").append(scroll({ id: "short" }, heads("quantity", ["value"], ["at"]), first));
 
   // Poses at the instant shown.
   const poses = mechanism.bodies.slice(1, 41).map((body) => ({ name: body.name, of: ["x", "y", "angle"].map((q) => column(`${body.name}.${q}`)) })).filter(({ of }) => of.every((found) => found && found.wanted));
   const cells = [];
-  if (poses.length && rows) {
+  if (poses.length && linkdyn.rows) {
     const body = element("tbody");
     for (const pose of poses) {
       const tds = pose.of.map((column) => { const td = number(""); cells.push([td, column]); return td; });
@@ -52,7 +52,7 @@
     const found = ordered().filter((column) => column.name.toLowerCase().includes(part));
     body.replaceChildren(...found.slice(0, MOST).map((column) => {
       const [low, high] = linkdyn.endRows(column);
-      const known = (row) => row < 0 ? [number("–"), number("–")] : [number(linkdyn.textOf(column, row)), instant(jump(time[row]))];
+      const known = (row) => row < 0 ? [number("–"), number("–")] : [number(linkdyn.textOf(column, row)), instant(jump(linkdyn.time[row]))];
       // A size has no bound above alone, its parts have none to both sides.
       const bound = headline.unbounded(column), none = () => [number("no bound"), instant(jump(bound))];
       const isSize = column.name.endsWith(".f");
@@ -62,7 +62,7 @@
   };
   filter.addEventListener("input", fill);
   let filled = false;
-  if (shown.length && rows) {
+  if (shown.length && linkdyn.rows) {
     const extremes = table("Extremes", { wide: true, open: false, note: `of ${shown.length} columns` });
     extremes.append(filter, scroll({}, heads("column", ["smallest"], ["at"], ["largest"], ["at"]), body), more);
     // Not before anybody looks: there may be thousands.
@@ -73,6 +73,7 @@
   if (cells.length) new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; if (seen) values(); }).observe(id("poses"));
   player.onRow(() => { if (seen || !player.playing) values(); });
   units.onChange(() => { short(); values(); if (filled) fill(); });
+  linkdyn.onData(() => { order.clear(); short(); values(); if (filled) fill(); });
   short();
   values();
   Object.assign(linkdyn.tables, { table, jump });
