@@ -1,8 +1,8 @@
 //! Serves the page on this computer: an address that only who was given it knows.
 
 use std::hash::{BuildHasher, RandomState};
-use std::io;
-use std::net::{Ipv4Addr, SocketAddr, TcpListener, TcpStream};
+use std::io::{self, Read};
+use std::net::{Ipv4Addr, Shutdown, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
@@ -14,6 +14,8 @@ use super::state::State;
 
 /// Connections at a time: a page has a few.
 const MOST: usize = 32;
+/// What is read of a request that is refused \[bytes\].
+const REST: u64 = 1 << 20;
 /// How long a connection may say nothing.
 const SILENCE: Duration = Duration::from_secs(10);
 
@@ -95,7 +97,12 @@ fn talk(mut stream: TcpStream, door: &Door) -> io::Result<()> {
     stream.set_nodelay(true)?;
     match http::read(&mut stream) {
         Ok(request) => answer(door, &request).send(&mut stream),
-        Err(Some(status)) => Answer::bare(status).send(&mut stream),
+        Err(Some(status)) => {
+            Answer::bare(status).send(&mut stream)?;
+            stream.shutdown(Shutdown::Write)?;
+            // What is not read would take the answer back.
+            io::copy(&mut stream.take(REST), &mut io::sink()).map(drop)
+        }
         Err(None) => Ok(()),
     }
 }

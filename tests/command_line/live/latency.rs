@@ -47,7 +47,7 @@ const MOVE: &str = "window.times = []; (async () => { const { slider } = knobs.m
         const begun = performance.now(); \
         const hear = ({ data }) => { if (typeof data?.taken !== 'boolean') return; removeEventListener('message', hear); times.push(performance.now() - begun); done(); }; \
         addEventListener('message', hear); \
-        slider.value = middle + k % 12 - 6; slider.dispatchEvent(new Event('input')); \
+        slider.value = middle + k % 8 - 7; slider.dispatchEvent(new Event('input')); \
       }); \
       await new Promise((done) => setTimeout(done, 20)); \
     } })()";

@@ -9,7 +9,7 @@ use super::{Live, SHOWN};
 /// Moves a slider to a part of its way.
 fn slide(name: &str, part: f64) -> String {
     format!(
-        "{{ const {{ slider }} = knobs.made.get('{name}'); slider.value = Math.round({part} * slider.max); \
+        "{{ const {{ slider }} = knobs.made.get('{name}'); slider.value = Math.round(Number(slider.min) + {part} * (slider.max - slider.min)); \
          slider.dispatchEvent(new Event('input')); }}"
     )
 }

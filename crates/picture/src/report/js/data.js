@@ -1,9 +1,9 @@
 "use strict";
 // The columns of the run, one after the other among the numbers of the page, and what is said of it. The page that shows each run
 // may give it another run of the same mechanism: columns and words stay the same objects with other values, and who has made something
-// of them hears of it (`onData`).
+// of them hears of it: pictures at once (`onData`), tables when there is time (`afterData`).
 (() => {
-  const { given } = linkdyn, listeners = [];
+  const { given } = linkdyn, listeners = [], lateListeners = [], LATE = 80;
   const columns = given.columns.map(([name, unit, wanted]) => ({ name, unit, wanted: wanted === 1, values: null }));
   const byName = new Map(columns.map((column) => [column.name, column]));
 
@@ -61,6 +61,7 @@
   // What a page is laid out by: of another mechanism, or with other columns, it has to be made anew.
   const layout = ({ columns, rows, mechanism, summary }) => JSON.stringify([columns, Math.min(rows, 2), Object.keys(summary.responses || {}), summary.settings?.type,
     Object.entries(mechanism).map(([key, list]) => Array.isArray(list) ? [key, list.map((own) => Array.isArray(own) ? own : [own.name, own.type, own.between, own.body, own.bodies, own.pin, Boolean(own.clearance), (own.points || []).map(([name]) => name)])] : key)]);
+  let shape = null, late = 0;
   // New values in old objects, so that whoever holds one has the new values.
   const whole = (value) => value !== null && typeof value === "object";
   const put = (old, made) => {
@@ -75,7 +76,8 @@
   // Shows another run; false where the page has to be made anew for it. `trying`: of values that are not in the file.
   const renew = (text, trying) => {
     const cut = text.indexOf("\n"), made = JSON.parse(text.slice(0, cut));
-    if (layout(made) !== layout(given)) return false;
+    shape ??= layout(given);
+    if (layout(made) !== shape) return false;
     const { player } = linkdyn, instant = linkdyn.rows ? linkdyn.time[player.row] : 0;
     if (trying) linkdyn.ghost.take(); else linkdyn.ghost.leave();
     put(given, made);
@@ -83,12 +85,14 @@
     Object.assign(linkdyn.shapes, linkdyn.measureShapes());
     player.renew(instant);
     listeners.forEach((listen) => listen(trying));
+    clearTimeout(late);
+    late = setTimeout(() => lateListeners.forEach((listen) => listen()), LATE);
     return true;
   };
 
   Object.assign(linkdyn, {
     cutOf, endRows, endsOf, ofContact, eventWord, eventEnd, renew, summary: given.summary, columns, byName,
-    column: (name) => byName.get(name), onData: (listen) => listeners.push(listen),
+    column: (name) => byName.get(name), onData: (listen) => listeners.push(listen), afterData: (listen) => lateListeners.push(listen),
   });
   fill(linkdyn.floats);
 })();

@@ -80,6 +80,6 @@
   }
 
   units.onChange(fill);
-  linkdyn.onData(fill);
+  linkdyn.afterData(fill);
   fill();
 })();

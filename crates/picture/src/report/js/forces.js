@@ -16,9 +16,9 @@
     }
     return sizes.length ? Float64Array.from(sizes).sort()[Math.floor((sizes.length - 1) * 0.85)] : 0;
   };
-  let size = null;
-  linkdyn.onData(() => { size = null; });
-  const sizes = () => size ??= { joints: typical(joints), loads: typical(loads) };
+  const found = {};
+  linkdyn.onData(() => { found.joints = found.loads = undefined; });
+  const sizes = { get joints() { return found.joints ??= typical(joints); }, get loads() { return found.loads ??= typical(loads); } };
 
   const one = (state, from, [fx, fy], { unit, long, most, colour, name, into }) => {
     const { pen, bar, names } = state, f = Math.hypot(fx, fy), full = f / unit * long, shown = Math.min(full, most);
@@ -36,7 +36,7 @@
 
   // All arrows at a row; the values go among the names.
   const draw = (state, options) => {
-    const { row, to, bar, pen, width, height, colours } = state, unit = sizes();
+    const { row, to, bar, pen, width, height, colours } = state, unit = sizes;
     const long = Math.min(width, height) * 0.22 * 10 ** (options.arrowScale / 2), most = Math.max(long * 1.6, Math.min(width, height) * 0.3);
     state.values = 0;
     state.cut = new Map();

@@ -92,8 +92,10 @@
       put("Energy lost in contacts of", joint, sums.energy_lost, "J");
     }
   };
-  const begin = () => { bounds.clear(); bound(); list.length = 0; if (linkdyn.rows) collect(); };
-  linkdyn.onData(begin);
+  const begin = () => { list.length = 0; if (linkdyn.rows) collect(); };
+  linkdyn.onData(() => { bounds.clear(); bound(); });
+  linkdyn.afterData(begin);
+  bound();
   begin();
   linkdyn.headline = { list, unbounded };
 })();

@@ -53,7 +53,8 @@
     if (source !== parent) return;
     if (data === "linkdyn: what is chosen?") source.postMessage({ chosen: JSON.stringify(state()) }, "*");
     if (typeof data?.run === "string") {
-      const taken = linkdyn.renew(data.run, data.trying === true);
+      let taken = false;
+      try { taken = linkdyn.renew(data.run, data.trying === true); } catch (why) { console.warn(`the page is made anew: ${why.message}`); }
       // Told when it is on the screen.
       requestAnimationFrame(() => setTimeout(() => source.postMessage({ taken, number: data.number }, "*"), 0));
     }

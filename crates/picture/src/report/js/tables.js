@@ -73,7 +73,7 @@
   if (cells.length) new IntersectionObserver(([entry]) => { seen = entry.isIntersecting; if (seen) values(); }).observe(id("poses"));
   player.onRow(() => { if (seen || !player.playing) values(); });
   units.onChange(() => { short(); values(); if (filled) fill(); });
-  linkdyn.onData(() => { order.clear(); short(); values(); if (filled) fill(); });
+  linkdyn.afterData(() => { order.clear(); short(); values(); if (filled) fill(); });
   short();
   values();
   Object.assign(linkdyn.tables, { table, jump });

@@ -17,8 +17,8 @@ const knobs = (() => {
 
   const write = (knob) => {
     const size = step(knob), on = knob.now !== knob.value;
-    Object.assign(knob.slider, { min: 0, max: Math.round((knob.most - knob.least) / size) });
-    knob.slider.value = Math.round((knob.now - knob.least) / size);
+    Object.assign(knob.slider, { min: Math.floor(knob.least / size), max: Math.ceil(knob.most / size) });
+    knob.slider.value = Math.round(knob.now / size);
     knob.slider.setAttribute("aria-valuetext", `${plain(knob.now)} ${knob.unit}`);
     if (document.activeElement !== knob.field || !knob.typing) knob.field.value = plain(knob.now);
     knob.root.classList.toggle("turned", on);
@@ -68,8 +68,8 @@ const knobs = (() => {
     knob.root = element("div", { className: "knob" }, element("label", { htmlFor: `knob${number}`, textContent: given.name, title: given.name }),
       element("span", { className: "value" }, knob.field, element("span", { className: "unit", textContent: given.unit.replaceAll("*", "·").replaceAll("^2", "²") })), knob.slider, knob.why);
     knob.slider.addEventListener("input", () => {
-      const size = step(knob), value = knob.least + Number(knob.slider.value) * size;
-      set(knob, Number(Math.min(Math.max(Math.round(value / size) * size, knob.least), knob.most).toPrecision(10)));
+      const value = Number(knob.slider.value) * step(knob);
+      set(knob, Number(Math.min(Math.max(value, knob.least), knob.most).toPrecision(10)));
     });
     knob.field.addEventListener("input", () => { knob.typing = true; });
     knob.field.addEventListener("change", async () => {

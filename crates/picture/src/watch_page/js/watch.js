@@ -2,7 +2,7 @@
 // Runs as they come: the command tells of them while it watches. The report that is shown takes the data of the next run where it is
 // one of the same mechanism; else the next report is made ready below it, and takes its place with what the reader has chosen.
 const [faults, frames, words] = ["faults", "frames", "words"].map((id) => document.getElementById(id));
-const PATIENCE = 200, LONGEST = 1500, AGAIN = 500;
+const PATIENCE = 200, LONGEST = 10000, AGAIN = 500;
 let shown = null, coming = null, last = 0, kept = "", asked = 0, version = -1;
 // The last run whose picture is on the screen.
 let pictured = 0;
