@@ -1,7 +1,7 @@
 "use strict";
 // What the cursor is on, in the drawing and in plots: a tip with its name and values; a click plots them.
 (() => {
-  const { mechanism, shapes, stage, plots, player, units, element, column, rows, textOf, choices } = linkdyn;
+  const { mechanism, shapes, stage, plots, player, units, element, column, textOf, choices } = linkdyn;
   const tip = document.getElementById("tip"), { canvas } = stage;
   const NEAR = 11;
 
@@ -121,9 +121,9 @@
       const own = shapes.turn([0, 0, -pose[2]], x - pose[0], y - pose[1]);
       at = (row) => { const now = shapes.pose(thing.body, row); return now && shapes.carry(now, ...own); };
     }
-    const from = at?.(player.row), step = Math.max(1, Math.floor(rows / 50));
+    const from = at?.(player.row), step = Math.max(1, Math.floor(linkdyn.rows / 50));
     if (!from) return null;
-    for (let row = 0; row < rows; row += step) { const to = at(row); if (to && far(stage.to(to), stage.to(from)) > 2) return at; }
+    for (let row = 0; row < linkdyn.rows; row += step) { const to = at(row); if (to && far(stage.to(to), stage.to(from)) > 2) return at; }
     return null;
   };
   const far = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
@@ -133,17 +133,17 @@
   const nearest = (at, place) => {
     const away = (row) => { const to = at(row); return to ? far(stage.to(to), place) : Infinity; };
     let [best, least] = [player.row, away(player.row)];
-    for (const by of [1, -1]) for (let row = player.row + by; row >= 0 && row < rows; row += by) {
+    for (const by of [1, -1]) for (let row = player.row + by; row >= 0 && row < linkdyn.rows; row += by) {
       const now = away(row);
       if (now < least) [best, least] = [row, now]; else if (now > least + SLACK) break;
     }
     return best;
   };
   stage.hold = (place) => {
-    const thing = rows && shapes.known ? find(place) : null, at = thing && path(thing, place);
+    const thing = linkdyn.rows && shapes.known ? find(place) : null, at = thing && path(thing, place);
     return at && ((to) => { hide(); player.pause(); player.seek(nearest(at, to)); });
   };
-  if (rows && shapes.known) {
+  if (linkdyn.rows && shapes.known) {
     canvas.addEventListener("pointermove", (event) => { if (event.buttons === 0 || event.pointerType !== "mouse") set(stage.moving() ? null : find([event.offsetX, event.offsetY]), event); });
     canvas.addEventListener("pointerleave", (event) => set(null, event));
     canvas.addEventListener("click", (event) => {
