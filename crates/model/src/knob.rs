@@ -57,7 +57,7 @@ fn knob(parameter: &Parameter, loaded: &Loaded) -> Option<Knob> {
 
 impl Knob {
     /// In SI → in the file's unit.
-    fn from_si(&self, value: f64) -> f64 {
+    fn in_unit(&self, value: f64) -> f64 {
         let own = self
             .scale
             .and_then(|unit| Unit::si(unit.powers).convert(value, unit));
@@ -70,14 +70,14 @@ impl Knob {
             .optimise
             .as_ref()
             .and_then(|optimise| match optimise.design.get(name) {
-                Some(Range::Within(ends)) => Some(ends.map(|end| self.from_si(end))),
+                Some(Range::Within(ends)) => Some(ends.map(|end| self.in_unit(end))),
                 Some(Range::Free(_)) | None => None,
             });
         let vary = || self.varied(model.study.as_ref()?.vary.get(name)?);
         let tolerance = || {
             let tolerance = parameter.tolerance.as_ref()?;
             let ends = [tolerance.lower, tolerance.upper];
-            Some(ends.map(|end| self.value + self.from_si(end)))
+            Some(ends.map(|end| self.value + self.in_unit(end)))
         };
         let found = design.or_else(vary).or_else(tolerance);
         let found = found.filter(|[a, b]| a != b);

@@ -11,7 +11,7 @@ use linkdyn_picture::watch_page;
 use serde_json::{Map, Value, json};
 
 use super::http::{Answer, Request};
-use super::state::{Run, State};
+use super::state::{ShownRun, State};
 use crate::cli::open::refuse;
 
 const JSON: &str = "application/json";
@@ -74,7 +74,7 @@ pub fn answer(door: &Door, request: &Request) -> Answer {
     }
 }
 
-fn posted(state: &State, path: &str, body: &Map<String, Value>, run: &Run) -> Answer {
+fn posted(state: &State, path: &str, body: &Map<String, Value>, run: &ShownRun) -> Answer {
     if path == "read" {
         let Some((name, text)) = body
             .iter()
@@ -118,7 +118,7 @@ fn posted(state: &State, path: &str, body: &Map<String, Value>, run: &Run) -> An
 }
 
 /// Writes values into the model's file, where that is still the one that ran.
-fn written(state: &State, run: &Run, values: &[(&str, f64)]) -> Result<(), Unanswered> {
+fn written(state: &State, run: &ShownRun, values: &[(&str, f64)]) -> Result<(), Unanswered> {
     let (path, label) = (&state.model, run.file.label());
     let fault = |why: &str| Unanswered::question(format!("{label}: {why}"));
     let unreadable = |why: std::io::Error| fault(&why.to_string());
@@ -132,7 +132,7 @@ fn written(state: &State, run: &Run, values: &[(&str, f64)]) -> Result<(), Unans
 }
 
 /// What is wrong, in lines.
-fn refused(run: &Run, why: Unanswered) -> Answer {
+fn refused(run: &ShownRun, why: Unanswered) -> Answer {
     let failure = refuse(run.file.label(), why.into());
     let lines: Vec<String> = failure
         .lines()

@@ -35,12 +35,12 @@ struct Shown {
     /// Counts runs.
     run: u64,
     faults: Vec<String>,
-    last: Option<Run>,
+    last: Option<ShownRun>,
 }
 
 /// A run, for the page.
 #[derive(Debug, Clone)]
-pub struct Run {
+pub struct ShownRun {
     pub file: Arc<ModelFile>,
     /// The data of its report.
     pub data: Arc<String>,
@@ -78,7 +78,7 @@ impl State {
         self.change(|shown| {
             shown.run += 1;
             shown.faults.clear();
-            shown.last = Some(Run { file, data });
+            shown.last = Some(ShownRun { file, data });
         });
     }
 
@@ -88,7 +88,7 @@ impl State {
     }
 
     /// The last run.
-    pub fn last(&self) -> Option<Run> {
+    pub fn last(&self) -> Option<ShownRun> {
         locked(&self.shown).last.clone()
     }
 

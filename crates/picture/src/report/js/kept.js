@@ -55,8 +55,9 @@
     if (typeof data?.run === "string") {
       let taken = false;
       try { taken = linkdyn.renew(data.run, data.trying === true); } catch (why) { console.warn(`the page is made anew: ${why.message}`); }
-      // Told when it is on the screen.
-      requestAnimationFrame(() => setTimeout(() => source.postMessage({ taken, number: data.number }, "*"), 0));
+      const tell = () => setTimeout(() => source.postMessage({ taken, number: data.number }, "*"), 0);
+      // Told when it is on the screen; behind other windows nothing is drawn.
+      if (document.hidden) tell(); else requestAnimationFrame(tell);
     }
     if (typeof data?.dim === "boolean") document.body.classList.toggle("old", data.dim);
   });

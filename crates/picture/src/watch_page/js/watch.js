@@ -21,6 +21,8 @@ const say = (of, lines) => {
     if (k >= all.length) line.className = "old";
     return line;
   }));
+  // What is said of a value comes and goes while a hand moves: it must not push the report about.
+  faults.classList.toggle("over", !wrong.file.length);
   dim(all.length > 0);
 };
 const dim = (on) => { if (shown) shown.contentWindow.postMessage({ dim: on }, "*"); };
