@@ -49,19 +49,21 @@
   const found = /^#kept=(.+)$/.exec(location.hash);
   if (found) try { restore(JSON.parse(decodeURIComponent(found[1]))); } catch (why) { console.info(`not all is kept: ${why.message}`); }
 
+  // The page around this one has spoken: it hears of the theme, too.
+  let around = null;
+  const tell = () => { if (around) around.postMessage({ dark: theme.dark }, "*"); };
+  theme.onChange(tell);
   if (parent !== window) addEventListener("message", ({ source, data }) => {
     if (source !== parent) return;
+    if (!around) { around = source; tell(); }
     if (data === "linkdyn: what is chosen?") source.postMessage({ chosen: JSON.stringify(state()) }, "*");
     if (typeof data?.run === "string") {
       let taken = false;
       try { taken = linkdyn.renew(data.run, data.trying === true); } catch (why) { console.warn(`the page is made anew: ${why.message}`); }
-      const tell = () => setTimeout(() => source.postMessage({ taken, number: data.number }, "*"), 0);
+      const done = () => setTimeout(() => source.postMessage({ taken, number: data.number }, "*"), 0);
       // Told when it is on the screen; behind other windows nothing is drawn.
-      if (document.hidden) tell(); else requestAnimationFrame(tell);
+      if (document.hidden) done(); else requestAnimationFrame(done);
     }
     if (typeof data?.dim === "boolean") document.body.classList.toggle("old", data.dim);
   });
-  const tell = () => { if (parent !== window) parent.postMessage({ dark: theme.dark }, "*"); };
-  theme.onChange(tell);
-  tell();
 })();

@@ -61,6 +61,7 @@ function load() {
     shown = frame;
     coming = null;
     pictured = number;
+    dim(wrong.file.length + wrong.values.length > 0);
     // Keys are for the report.
     if (focused) frame.contentWindow.focus();
   };
