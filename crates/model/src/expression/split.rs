@@ -308,8 +308,8 @@ fn equation(taken: Vec<Part>) -> Result<Part, Placed> {
         part.over.is_none() && part.quantity.is_pure() && part.quantity.value.is_zero()
     };
     let compared = match (is_zero(&left), is_zero(&right)) {
-        (_, true) => Ok(left.quantity.clone()),
-        (true, false) => Ok(right.quantity.clone()),
+        (_, true) => Ok(left.quantity),
+        (true, false) => Ok(right.quantity),
         (false, false) => left.quantity.two(&right.quantity, Binary::Min),
     };
     let compared = compared.map_err(|fault| (None, fault))?;
