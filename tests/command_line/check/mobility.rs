@@ -7,12 +7,12 @@ fn the_mobility_is_said_in_a_sentence() {
     let cases: &[(&[&str], &str)] = &[
         (
             &["four-bar"],
-            "1 degree of freedom, driven by motor: kinematics, inverse dynamics and statics are possible; forward dynamics \
+            "1 degree of freedom, driven by motor: kinematics, inverse dynamics, statics and quasi-statics are possible; forward dynamics \
              has nothing free",
         ),
         (
             &["double-pendulum"],
-            "2 degrees of freedom, none driven: forward dynamics and statics are possible; kinematics and inverse dynamics \
+            "2 degrees of freedom, none driven: forward dynamics, statics and quasi-statics are possible; kinematics and inverse dynamics \
              need 2 drivers",
         ),
         (
@@ -21,7 +21,7 @@ fn the_mobility_is_said_in_a_sentence() {
                 "--set",
                 r#"drivers.m={"type":"rotation","body":"upper","motion":{"type":"constant_velocity","velocity":1}}"#,
             ],
-            "2 degrees of freedom, 1 driven by m: forward dynamics and statics are possible; kinematics and inverse dynamics \
+            "2 degrees of freedom, 1 driven by m: forward dynamics, statics and quasi-statics are possible; kinematics and inverse dynamics \
              need 1 driver more",
         ),
         (
@@ -30,7 +30,7 @@ fn the_mobility_is_said_in_a_sentence() {
                 "--set",
                 "joints.wristpin.clearance.model=ideal",
             ],
-            "1 degree of freedom, driven by motor: kinematics, inverse dynamics and statics are possible; forward dynamics has nothing \
+            "1 degree of freedom, driven by motor: kinematics, inverse dynamics, statics and quasi-statics are possible; forward dynamics has nothing \
              free",
         ),
         (
@@ -46,7 +46,7 @@ fn the_mobility_is_said_in_a_sentence() {
         ),
         (
             &["hoeken"],
-            "1 degree of freedom, driven by motor: kinematics and statics are possible; forward dynamics has nothing free; \
+            "1 degree of freedom, driven by motor: kinematics, statics and quasi-statics are possible; forward dynamics has nothing free; \
              inverse dynamics needs data that bodies lack",
         ),
         (
@@ -57,7 +57,7 @@ fn the_mobility_is_said_in_a_sentence() {
                 "--set",
                 r#"joints.weld={"type":"fixed","between":["ground.O2","crank.O2"],"angle":60}"#,
             ],
-            "no degree of freedom, a structure: nothing in it can move: kinematics, inverse dynamics and statics are possible",
+            "no degree of freedom, a structure: nothing in it can move: kinematics, inverse dynamics, statics and quasi-statics are possible",
         ),
     ];
     for (arguments, sentence) in cases {
@@ -221,4 +221,31 @@ fn a_mechanism_that_nothing_holds_is_said_to_be_loose() {
         ),
         "{told}"
     );
+}
+
+/// A lid that a hand lifts, of which nothing is weighed yet.
+const LID: &str = r#"{ "format": "linkdyn/1", "units": { "length": "mm", "angle": "deg" }, "gravity": [0, "-9.81 m/s^2"],
+  "bodies": { "ground": { "points": { "O": [0, 0], "P": [300, -100] } }, "lid": { "points": { "O": [0, 0], "P": [250, 20] } } },
+  "joints": { "hinge": { "type": "revolute", "between": ["ground.O", "lid.O"] } },
+  "forces": { "gas": { "type": "gas_spring", "between": ["ground.P", "lid.P"], "force": "130 N", "extended": 450, "stroke": 330, "progression": 1.3 } },
+  "drivers": { "hand": { "type": "rotation", "body": "lid", "motion": { "type": "constant_velocity", "velocity": 10 } } },
+  "responses": { "hand": { "value": "max(abs(driver.hand.effort))/850 mm", "unit": "kN" } },
+  "analysis": { "type": "quasi_statics", "sample": { "driver": "hand", "from": 0, "to": 80, "step": 20 } } }"#;
+
+#[test]
+fn what_lacks_masses_can_be_moved_slowly() {
+    let file = File::new("lid", LID);
+    let told = checked(&[file.path()]);
+    assert_eq!(
+        told["mobility"]["words"],
+        "1 degree of freedom, driven by hand: kinematics and quasi-statics are possible; forward dynamics has nothing free; \
+         inverse dynamics and statics need data that bodies lack; in quasi-statics a body without mass has no weight"
+    );
+    assert_eq!(told["possible"], json!(["kinematics", "quasi_statics"]));
+    let (status, _, said) = linkdyn(&["run", file.path()]);
+    assert_eq!(status, Some(0), "{said}");
+    // What moves freely in its bearing has no place at rest.
+    let told = checked(&["slider-crank-clearance"]);
+    let missing = json!(["an ideal clearance of joint \"wristpin\""]);
+    assert_eq!(told["missing"]["quasi_statics"], missing);
 }

@@ -128,6 +128,7 @@ struct Document<'a> {
     mobility: MobilityJson<'a>,
     assembly_residual: f64,
     refused: Vec<String>,
+    possible: Vec<String>,
     missing: IndexMap<String, &'a [String]>,
     lacks: Vec<LackJson<'a>>,
     suspicious: &'a [String],
@@ -139,8 +140,12 @@ struct Document<'a> {
 impl Serialize for Diagnosis {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let (model, check) = (self.file.model(), &self.found);
-        let word = |kind: &AnalysisKind| analysis_words(*kind).replace(' ', "_");
+        let word = |kind: &AnalysisKind| analysis_words(*kind).replace([' ', '-'], "_");
         let parameters = self.file.loaded.parameters.iter();
+        // What does not assemble has nothing to run.
+        let assembles = check.status == Status::Completed || !check.poses.is_empty();
+        let possible = check.possible().filter(|_| assembles);
+        let possible = possible.map(|kind| word(&kind));
         let missing = check.missing.iter();
         let source = &self.file.loaded.source;
         let refused = check.refused.iter().cloned();
@@ -167,6 +172,7 @@ impl Serialize for Diagnosis {
             mobility: mobility(check),
             assembly_residual: check.assembly_residual,
             refused: refused.map(|complaint| complaint.to_string()).collect(),
+            possible: possible.collect(),
             missing: missing
                 .map(|(kind, what)| (word(kind), what.as_slice()))
                 .collect(),

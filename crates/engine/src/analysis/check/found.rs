@@ -1,5 +1,6 @@
 //! What a diagnosis finds.
 
+use super::lacks::ANALYSES;
 use linkdyn_model::AnalysisKind;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Mobility, Status};
@@ -43,6 +44,14 @@ pub struct Check {
     pub warnings: Vec<String>,
     /// Faults of the model that do not keep it from being read (exit status 1).
     pub faults: Vec<String>,
+}
+
+impl Check {
+    /// The analyses that can be run, but for the assembly.
+    pub fn possible(&self) -> impl Iterator<Item = AnalysisKind> {
+        let is_missing = |kind| self.missing.iter().any(|(missing, _)| *missing == kind);
+        ANALYSES.into_iter().filter(move |kind| !is_missing(*kind))
+    }
 }
 
 /// A mechanism whose journals move freely in their bearings.

@@ -49,11 +49,12 @@ pub fn lacks(model: &Model) -> Vec<Lack> {
 }
 
 /// The analyses that a model may be asked for.
-pub const ANALYSES: [AnalysisKind; 4] = [
+pub const ANALYSES: [AnalysisKind; 5] = [
     AnalysisKind::Kinematics,
     AnalysisKind::InverseDynamics,
     AnalysisKind::Dynamics,
     AnalysisKind::Statics,
+    AnalysisKind::QuasiStatics,
 ];
 
 /// What keeps each analysis from running.
@@ -75,7 +76,11 @@ pub fn missing(
             {
                 missing.push("every degree of freedom is driven: nothing is free to move".into());
             }
-            (AnalysisKind::Dynamics | AnalysisKind::Statics, Some(Undriven::TooMany(text))) => {
+            (
+                AnalysisKind::Dynamics | AnalysisKind::Statics | AnalysisKind::QuasiStatics,
+                Some(Undriven::TooMany(text)),
+            )
+            | (AnalysisKind::QuasiStatics, Some(Undriven::Singular(text))) => {
                 missing.push(text.clone())
             }
             (AnalysisKind::Kinematics | AnalysisKind::InverseDynamics, None)
@@ -87,7 +92,7 @@ pub fn missing(
                 _,
             ) => {}
         }
-        if kind == AnalysisKind::Statics {
+        if matches!(kind, AnalysisKind::Statics | AnalysisKind::QuasiStatics) {
             missing.extend(
                 clearances(model)
                     .map(|(name, _)| format!("an ideal clearance of joint \"{name}\"")),

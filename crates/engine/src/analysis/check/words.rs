@@ -1,7 +1,7 @@
 //! What a diagnosis means, in a sentence.
 
 use super::clearances::journals_move;
-use super::found::{Check, Open, Undriven};
+use super::found::{Check, Lack, Open, Undriven};
 use super::lacks::ANALYSES;
 use crate::analysis::words::listed;
 use linkdyn_model::{AnalysisKind, Model};
@@ -57,12 +57,7 @@ pub fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> Strin
         (_, _) if count < freedom => format!(", {count} driven by {}", and(&drivers)),
         (_, _) => format!(", driven by {}", and(&drivers)),
     };
-    let lacking = |kind: AnalysisKind| check.missing.iter().any(|(lacking, _)| *lacking == kind);
-    let possible: Vec<&str> = ANALYSES
-        .into_iter()
-        .filter(|kind| !lacking(*kind))
-        .map(spoken)
-        .collect();
+    let possible = check.possible().map(spoken).collect::<Vec<_>>();
     text += &match possible.len() {
         0 => ": no analysis but the assembly is possible".into(),
         1 => format!(": {} is possible", possible[0]),
@@ -81,6 +76,14 @@ pub fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> Strin
         text += &format!("; {free}: {} in motion", freedom_text(mobility.rank));
     }
     text += &missing_data(check, held);
+    let weightless = |lack: &Lack| lack.analyses.contains(&AnalysisKind::Statics);
+    if check.lacks.iter().any(weightless)
+        && check
+            .possible()
+            .any(|kind| kind == AnalysisKind::QuasiStatics)
+    {
+        text += "; in quasi-statics a body without mass has no weight";
+    }
     text
 }
 
