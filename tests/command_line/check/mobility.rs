@@ -249,3 +249,15 @@ fn what_lacks_masses_can_be_moved_slowly() {
     let missing = json!(["an ideal clearance of joint \"wristpin\""]);
     assert_eq!(told["missing"]["quasi_statics"], missing);
 }
+
+#[test]
+fn responses_are_listed_in_the_unit_that_the_model_declares() {
+    let file = File::new("lid-responses", LID);
+    let (_, said, _) = linkdyn(&["check", file.path()]);
+    let row = "responses     hand = max(abs(driver.hand.effort))/850 mm  [kN]";
+    assert!(said.contains(row), "{said}");
+    let told = checked(&[file.path()]);
+    let wanted =
+        json!({ "value": "max(abs(driver.hand.effort))/850 mm", "unit": "N", "declared": "kN" });
+    assert_eq!(told["responses"]["hand"], wanted);
+}

@@ -107,7 +107,11 @@ pub fn for_page(answers: &[Answer], display: &DisplayUnits) -> Value {
 #[derive(Debug, Serialize)]
 pub struct Expression<'a> {
     value: &'a str,
+    /// SI.
     unit: String,
+    /// The unit that the model declares.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    declared: Option<&'a str>,
 }
 
 /// The responses that a model asks for, by name.
@@ -118,6 +122,7 @@ pub fn expressions(model: &Model) -> IndexMap<&str, Expression<'_>> {
         let expression = Expression {
             value: &response.value,
             unit: unit.unwrap_or_default(),
+            declared: response.unit.as_deref(),
         };
         (name.as_str(), expression)
     });
@@ -132,9 +137,12 @@ pub fn rows(page: &mut Page, model: &Model) {
         outputs.map(|(name, text)| format!("{name} = {text}")),
     );
     let all = expressions(model).into_iter();
-    let texts = all.map(|(name, Expression { value, unit })| match unit.as_str() {
-        "" => format!("{name} = {value}"),
-        unit => format!("{name} = {value}  [{unit}]"),
+    let texts = all.map(|(name, own)| {
+        let text = format!("{name} = {}", own.value);
+        match own.declared.unwrap_or(&own.unit) {
+            "" => text,
+            unit => format!("{text}  [{}]", unit_words(unit)),
+        }
     });
     page.rows("responses", texts);
 }
