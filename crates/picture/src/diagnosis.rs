@@ -33,7 +33,11 @@ const AROUND: [[f64; 2]; 8] = [
 
 /// How lines of a text stand in the page.
 const TEXT_RULE: &str =
-    "pre { margin: 8px 0 0; white-space: pre-wrap; overflow-wrap: anywhere; }\n";
+    "pre { margin: 8px 0 0; white-space: pre-wrap; overflow-wrap: anywhere; }
+.finding pre { margin: 4px 0 0; padding: 4px 8px; background: var(--card); border: 1px solid var(--line); border-radius: 6px; font-size: 12px; }
+.line { margin-right: 12px; color: var(--muted); user-select: none; }
+mark { background: none; color: var(--bad); font-weight: bold; text-decoration: underline wavy; text-underline-offset: 3px; }
+";
 
 /// How bad something is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,6 +65,17 @@ pub struct Finding {
     pub loops: Vec<usize>,
     /// Points it is about.
     pub points: Vec<PointId>,
+    /// Where it stands in the file.
+    pub quote: Option<Quote>,
+}
+
+/// A line of a file, in three parts, the middle one marked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Quote {
+    /// Its number.
+    pub line: usize,
+    /// What stands before, at, and after the place.
+    pub parts: [String; 3],
 }
 
 /// A loop.
@@ -130,9 +145,10 @@ fn whole_page(diagnosis: &Diagnosis, drawing: &str) -> String {
             Severity::Note => "note",
         };
         main += &format!(
-            "<div class=\"finding {class}\"><span class=\"number\">{}</span><span>{}</span></div>\n",
+            "<div class=\"finding {class}\"><span class=\"number\">{}</span><div>{}{}</div></div>\n",
             index + 1,
-            long_text(&finding.text)
+            long_text(&finding.text),
+            finding.quote.as_ref().map_or(String::new(), quoted)
         );
     }
     if !diagnosis.loops.is_empty() {
@@ -148,6 +164,15 @@ fn whole_page(diagnosis: &Diagnosis, drawing: &str) -> String {
     let loops = 0..diagnosis.loops.len().min(MOST_CHOSEN);
     let rules = TEXT_RULE.to_string() + &loops.map(shown_on_choice).collect::<String>();
     sheet::styled_page(&diagnosis.title, &diagnosis.facts, &main, &rules)
+}
+
+/// A line of the file with its number, and a mark at the place.
+fn quoted(quote: &Quote) -> String {
+    let [before, at, after] = quote.parts.each_ref().map(|part| long_text(part));
+    format!(
+        "<pre><span class=\"line\">{}</span>{before}<mark>{at}</mark>{after}</pre>",
+        quote.line
+    )
 }
 
 /// A loop in words, with a box that shows it in the drawing; pointing at the words shows it too.

@@ -251,6 +251,13 @@ fn what_is_refused_is_drawn_as_far_as_it_goes() {
         .map(label)
         .collect();
     assert_eq!(joints, ["a"], "the joint that is wrong is left out");
+    let text = html.replace("&quot;", "\"");
+    for quote in [
+        r#"<pre><span class="line">6</span>…"type": "revolute", "between": [<mark>"crank.Q"</mark>, "rod.A"] } },</pre>"#,
+        r#"<mark>"rod.Z"</mark>"#,
+    ] {
+        assert!(text.contains(quote), "{quote} in {text}");
+    }
     let numbers: Vec<String> = of_class(&document, "finding-number")
         .into_iter()
         .map(label)

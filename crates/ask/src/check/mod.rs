@@ -1,6 +1,7 @@
 //! Diagnosis of a model without running it.
 
 mod page;
+mod quote;
 mod refused;
 mod text;
 mod tolerances;

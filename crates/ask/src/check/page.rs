@@ -2,6 +2,7 @@
 
 use linkdyn_engine::analysis::Check;
 use linkdyn_model::Checked;
+use linkdyn_model::error::Complaint;
 use linkdyn_output::Status;
 use linkdyn_picture::Shape;
 use linkdyn_picture::diagnosis::{Finding, Loop, Severity, page};
@@ -9,6 +10,7 @@ use linkdyn_picture::poses::Pose;
 use linkdyn_picture::shape::{DriverKind, PointId};
 
 use super::Diagnosis;
+use super::quote::quote;
 use super::text::lack_words;
 use crate::shape::at_pose;
 use crate::text::words::mobility;
@@ -27,7 +29,8 @@ pub fn html(diagnosis: &Diagnosis) -> String {
         found.add(Severity::Wrong, fault);
     }
     for refused in &check.refused {
-        found.add(Severity::Wrong, &refused.to_string());
+        let placed = diagnosis.file.loaded.source.place(refused.clone());
+        found.complain(&placed, &diagnosis.file.text.bytes);
     }
     if check.status != Status::Completed {
         let why = check.message.as_deref().unwrap_or(check.status.word());
@@ -107,7 +110,16 @@ impl Finder<'_> {
             joints: joints.collect(),
             loops: loops.collect(),
             points,
+            quote: None,
         });
+    }
+
+    /// Adds a complaint, with its line of the file.
+    pub fn complain(&mut self, complaint: &Complaint, file: &[u8]) {
+        self.add(Severity::Wrong, &complaint.to_string());
+        if let Some(last) = self.findings.last_mut() {
+            last.quote = complaint.place.and_then(|place| quote(file, place));
+        }
     }
 
     /// Bodies and joints at which the drivers stand that a text names.

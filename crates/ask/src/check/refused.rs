@@ -10,7 +10,7 @@ use crate::shape::at_pose;
 use linkdyn_model::Checked;
 use linkdyn_model::error::Complaints;
 use linkdyn_picture::Shape;
-use linkdyn_picture::diagnosis::{Diagnosis, Severity, page, page_of_text};
+use linkdyn_picture::diagnosis::{Diagnosis, page, page_of_text};
 
 /// How often something is taken out: what is left may miss what was taken.
 const ROUNDS: usize = 12;
@@ -34,7 +34,7 @@ pub fn html(text: &Text, complaints: &Complaints) -> String {
         findings: Vec::new(),
     };
     for complaint in complaints.iter() {
-        found.add(Severity::Wrong, &complaint.to_string());
+        found.complain(complaint, bytes);
         let named = document
             .as_ref()
             .map(|document| bodies_of(document, &complaint.path));
