@@ -14,6 +14,8 @@ const BESIDE: [f64; 2] = [2.9, 3.0];
 /// Half the length of a bar at the end of a stroke, and its width, in bars.
 const STOP: f64 = 2.4;
 const BAR: f64 = 0.6;
+/// Width of the line of what is left of a stroke, in bars.
+const LEFT: f64 = 0.15;
 /// Ends of a stroke that are further than this, in lengths of the moment, are not drawn.
 const NEAR: f64 = 1.6;
 /// Radius of the end of a spring, in bars.
@@ -52,14 +54,23 @@ impl Parts<'_> {
         } else {
             self.distance(spring.between)
         };
-        let limits = spring.limits.unwrap_or_default().into_iter().flatten();
-        let near = limits.filter(|far| *far <= NEAR * length);
+        let limits = spring.limits.unwrap_or_default();
+        let limits = limits.map(|end| end.filter(|far| *far <= NEAR * length));
+        // What is left of the stroke: without it a bar far off belongs to nothing.
+        let left = limits[1].map(|far| {
+            let ends = [along(1.0), metres(far, 0.0)];
+            line("stop", ends, Edge::of(STEEL).wide(LEFT))
+        });
         // Where the second point comes to the ends of its stroke.
-        let stops = near.map(|far| {
+        let bars = limits.into_iter().flatten().map(|far| {
             let bar = [STOP, -STOP].map(|across| metres(far, 0.0).beside(0.0, across));
             line("stop", bar, Edge::of(STEEL).wide(BAR))
         });
-        self.between(Layer::Springs, spring.between, stops.collect());
+        self.between(
+            Layer::Springs,
+            spring.between,
+            left.into_iter().chain(bars).collect(),
+        );
         let sign = match (spring.cable, spring.actuator, spring.damper, spring.damped) {
             (true, ..) => vec![line("cable", [along(0.0), along(1.0)], Edge::of(INK))],
             (false, true, ..) => return,
