@@ -18,7 +18,7 @@ p, ul, ol { margin: 4px 0; overflow-wrap: anywhere; }
 .card svg { width: 100%; height: auto; display: block; max-height: 62vh; }
 .card svg > rect:first-of-type { fill: transparent; }
 input[type=\"checkbox\"] { accent-color: var(--accent); }
-.many { display: grid; gap: 16px; grid-template-columns: repeat(auto-fill, minmax(min(420px, 100%), 1fr)); }
+.many { display: grid; gap: 16px; grid-template-columns: repeat(auto-fit, minmax(min(420px, 100%), 1fr)); }
 .beside { display: grid; gap: 16px; grid-template-columns: minmax(0, 3fr) minmax(280px, 2fr); align-items: start; }
 figcaption { margin-top: 8px; }
 .finding { display: grid; grid-template-columns: 28px 1fr; gap: 8px; padding: 8px 0; border-top: 1px solid var(--line); }
