@@ -43,7 +43,7 @@ const PARTS: &[Part] = &[
     ),
     part("ask", &["crates/ask/src"], "rs", 8_100),
     part("output", &["crates/output/src"], "rs", 2_080),
-    part("picture", &["crates/picture/src"], "rs", 9_365),
+    part("picture", &["crates/picture/src"], "rs", 9_370),
     part("pages", &["crates/picture/src"], "js", 4_435),
     part("library", &["src"], "rs", 5_605),
     part("of it the command", &["src/cli"], "rs", 4_125),
