@@ -1,9 +1,17 @@
 //! What a diagnosis finds.
 
-use super::lacks::ANALYSES;
 use linkdyn_model::AnalysisKind;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Mobility, Status};
+
+/// The analyses that a model may be asked for.
+pub const ANALYSES: [AnalysisKind; 5] = [
+    AnalysisKind::Kinematics,
+    AnalysisKind::InverseDynamics,
+    AnalysisKind::Dynamics,
+    AnalysisKind::Statics,
+    AnalysisKind::QuasiStatics,
+];
 
 /// What `check` finds.
 #[derive(Debug, Clone, Default)]

@@ -1,7 +1,7 @@
 //! What keeps each analysis from running.
 
 use super::clearances::{clearances, journals_move};
-use super::found::{Lack, Undriven};
+use super::found::{ANALYSES, Lack, Undriven};
 use linkdyn_model::{AnalysisKind, GROUND, Model};
 
 /// Data that bodies lack, and for what.
@@ -47,15 +47,6 @@ pub fn lacks(model: &Model) -> Vec<Lack> {
     }
     lacks
 }
-
-/// The analyses that a model may be asked for.
-pub const ANALYSES: [AnalysisKind; 5] = [
-    AnalysisKind::Kinematics,
-    AnalysisKind::InverseDynamics,
-    AnalysisKind::Dynamics,
-    AnalysisKind::Statics,
-    AnalysisKind::QuasiStatics,
-];
 
 /// What keeps each analysis from running.
 pub fn missing(

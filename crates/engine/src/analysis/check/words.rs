@@ -1,8 +1,7 @@
 //! What a diagnosis means, in a sentence.
 
 use super::clearances::journals_move;
-use super::found::{Check, Lack, Open, Undriven};
-use super::lacks::ANALYSES;
+use super::found::{ANALYSES, Check, Lack, Open, Undriven};
 use crate::analysis::words::listed;
 use linkdyn_model::{AnalysisKind, Model};
 
