@@ -36,6 +36,9 @@ fn only_who_has_the_token_and_comes_from_here_gets_an_answer() {
     };
     let page = format!("{token}/");
     let own = format!("http://{host}");
+    // The first run: it is answered when there is another state than none.
+    let begun = status(&host, &get(&format!("{token}/state?0"), &host, ""));
+    assert_eq!(begun, "HTTP/1.1 200 OK");
     let before = std::fs::read(&watching.model).expect("there");
     for (request, expected) in [
         (get(&page, &host, ""), "200 OK"),
