@@ -1,6 +1,7 @@
 //! Statics on outlines: a body pushed against one rests on it, however small the outline is against the way behind it.
 
 use crate::mechanisms::{column, completed, model, near, pin};
+use linkdyn_engine::analysis::Control;
 use serde_json::{Value, json};
 
 const PUSH: f64 = 500.0;
@@ -76,4 +77,27 @@ fn an_outline_that_yields_is_met_alike() {
     let depth = 0.02 + 0.075 * theta.cos() - 0.08 * theta.sin() + 0.005 - 0.1;
     let arm = 0.075 * theta.sin() + 0.08 * theta.cos();
     near(1e6 * depth, PUSH * 0.16 * theta.cos() / arm, 1e-5);
+}
+
+/// The tip stands where the ring begins and ends, 1 mm deep.
+#[test]
+fn a_start_in_the_material_over_a_seam_is_refused() {
+    let mut model = shoe(ring(0.1), json!({}));
+    model["joints"]["lining"]["radius"] = json!(0.006);
+    for analysis in ["statics", "dynamics"] {
+        model["analysis"] = match analysis {
+            "statics" => json!({ "type": "statics" }),
+            _ => json!({ "type": "dynamics", "end": 1e-3, "outputs": 3 }),
+        };
+        model["bodies"]["shoe"]["mass"] = json!(1);
+        model["bodies"]["shoe"]["inertia"] = json!(1);
+        model["bodies"]["shoe"]["com"] = json!([0, 0]);
+        let loaded = crate::mechanisms::loaded(&model);
+        let refused = linkdyn_engine::analysis::run(&loaded.model, &Control::default());
+        let said = refused.expect_err("it is in the material").to_string();
+        assert!(
+            said.contains("the mechanism starts with the tip 0.001 m deep in the outline"),
+            "{said}"
+        );
+    }
 }

@@ -128,7 +128,12 @@ fn check(system: &System, at: &Kinematics) -> Result<(), Failed> {
     }
     for (contact, pair) in system.contacts.iter().enumerate() {
         let Some(edge) = pair.edge() else { continue };
-        let depth = edge.depth(&edge.read(at), system.size);
+        let mut reading = edge.read(at);
+        // Over the end of a piece the tip is as deep as beside it.
+        if reading.room.abs() <= BEYOND * system.size {
+            reading.room = reading.penetration;
+        }
+        let depth = edge.depth(&reading, system.size);
         if depth > deepest(pair) {
             return Err(Failed::Input(vec![deep(system, contact, depth)]));
         }

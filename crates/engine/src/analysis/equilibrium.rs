@@ -99,7 +99,7 @@ pub fn balance(
             what(held),
         )),
         Lost::Met => singular(format!(
-            "no equilibrium found: the forces pull {} into an outline, and nothing holds it there{friction}",
+            "no equilibrium found: the forces pull {} against a stop, and nothing holds it there{friction}",
             pulled(held)
         )),
         Lost::Failed(_) => singular(format!(

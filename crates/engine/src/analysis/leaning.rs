@@ -1,8 +1,9 @@
 //! Equilibria in which joints lean on their stops.
 //!
 //! A stop presses, N ≥ 0 at δ = 0 (or N = K δ where it yields), or it is left alone, N = 0 and δ ≤ 0. Which do what is searched for:
-//! without any first, then with those that the mechanism has gone beyond, and without those that would pull. Of outlines the first
-//! that is met on the way counts, from where it is met: behind it there may be others, or nothing at all.
+//! without any first, then with those that the mechanism has gone beyond, and without those that would pull. The
+//! search stops where it first meets one, and goes on from there: the way behind may lead out again, as behind a thin outline, or to a
+//! distance that a mechanism has twice.
 
 use super::assembly::Assembled;
 use super::control::{Control, Stop as Failed};
@@ -67,13 +68,8 @@ pub fn rest<T>(
             Err(_) => continue,
         };
         let depth = |held: &LinearisedSystem| leaning.depth(held);
-        let outlines = leaning.has_outlines();
-        let depth: Option<&dyn Fn(&LinearisedSystem) -> f64> = match outlines {
-            true => Some(&depth),
-            false => None,
-        };
-        let balanced = balance(&mut held, &assembled, control, depth);
-        let was_met = outlines && depth.is_some_and(|depth| depth(&held) > 0.0);
+        let balanced = balance(&mut held, &assembled, control, Some(&depth));
+        let was_met = balanced.is_err() && depth(&held) > 0.0;
         let contacts = leaning.readings(&mut held);
         let others = leaning.others(&contacts);
         match balanced {
@@ -246,16 +242,12 @@ impl Leaning<'_> {
         }
     }
 
-    fn has_outlines(&self) -> bool {
-        self.whole.contacts.iter().any(|pair| pair.edge().is_some())
-    }
-
-    /// How far the mechanism is inside outlines that do not press yet, beyond round-off \[m\].
+    /// How far the mechanism is beyond those that do not press yet, more than round-off \[m\].
     fn depth(&self, held: &LinearisedSystem) -> f64 {
         let at = held.driven.evaluation.kinematics(&held.inputs);
         let contacts = self.whole.contacts.iter().enumerate();
         let others = contacts.filter(|(contact, pair)| {
-            pair.edge().is_some() && !self.pressed.contains(&ContactId(*contact))
+            pair.limits() && !self.pressed.contains(&ContactId(*contact))
         });
         let depths = others.map(|(contact, pair)| self.passed(contact, &pair.shape.read(&at)));
         depths.fold(0.0, f64::max) - BEYOND * self.whole.size

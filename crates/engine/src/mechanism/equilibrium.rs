@@ -21,9 +21,9 @@ const LONGEST_STEP: f64 = 0.25;
 const BALANCED: f64 = 1e-12;
 /// A stiffness this small beside the largest force and stiffness is none.
 const INDIFFERENT: f64 = 1e-10;
-/// The same beside outlines, which are not to be jumped over.
-const BESIDE_OUTLINES: f64 = 0.02;
-/// Halvings of a step that goes into an outline: to where it does so by its 10⁻⁶.
+/// The same beside stops and outlines, which are not to be jumped over.
+const BESIDE_STOPS: f64 = 0.02;
+/// Halvings of a step that goes beyond a stop: to where it does so by its 10⁻⁶.
 const HALVINGS: usize = 20;
 /// Part of a step below which it is given up.
 const SHORTEST: f64 = 1e-9;
@@ -64,7 +64,7 @@ pub enum Lost {
     },
     /// The forces pull against a position that can't be passed.
     Blocked,
-    /// The way there leads into an outline.
+    /// The way there leads beyond a stop, or into an outline.
     Met,
     /// The position can't be solved any more.
     Failed(Failure),
@@ -160,7 +160,8 @@ impl Local {
 
 /// Moves the mechanism into equilibrium.
 ///
-/// `depth` says how far it is inside an outline, where it may meet one; into that it does not move, or farther than it begins.
+/// `depth` says how far it is beyond a stop or inside an outline, where it may meet one; there it does not move, or not farther than it
+/// begins.
 ///
 /// # Errors
 /// See [`Lost`]; the mechanism is then where the search ended.
@@ -169,7 +170,7 @@ pub fn find(
     stopped: &dyn Fn() -> bool,
     depth: Option<&dyn Fn(&LinearisedSystem) -> f64>,
 ) -> Result<Balance, Lost> {
-    let longest = depth.map_or(LONGEST_STEP, |_| BESIDE_OUTLINES);
+    let longest = depth.map_or(LONGEST_STEP, |_| BESIDE_STOPS);
     let allowed = depth.map_or(0.0, |depth| depth(held).max(0.0));
     let mut local = Local::of(held, 0.0);
     let mut iterations = 0;
