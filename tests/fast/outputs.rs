@@ -474,3 +474,15 @@ fn centres_of_nothing_are_refused() {
         );
     }
 }
+
+#[test]
+fn a_response_of_a_faulty_output_says_what_is_wrong_with_that() {
+    let mut model = crank(
+        &turning(),
+        &json!({ "lever": "d(piston.x)/d(driver.moter)" }),
+    );
+    model["responses"] = json!({ "most": "max(output.lever)" });
+    let complaints = load(model.to_string().as_bytes(), &[]).expect_err("a faulty output");
+    let said = "output.lever has no value: nothing that moves is called \"driver.moter\" (did you mean \"driver.motor\"?)";
+    assert!(complaints.to_string().contains(said), "{complaints}");
+}

@@ -1,4 +1,4 @@
-//! HTTP/1.1 (RFC 9112), as little of it as one page of one browser needs: a request per connection.
+//! The part of HTTP/1.1 (RFC 9112) that the live page needs. Each connection carries one request.
 
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
@@ -87,7 +87,7 @@ fn reason(status: u16) -> &'static str {
 /// Reads a request.
 ///
 /// # Errors
-/// The status to answer; none where there is nobody to answer.
+/// The status of the answer, or `None` if the connection has ended.
 pub fn read(stream: &mut impl Read) -> Result<Request, Option<u16>> {
     let mut bytes = Vec::new();
     let mut piece = [0; 4096];

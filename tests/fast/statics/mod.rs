@@ -3,6 +3,7 @@
 mod along;
 mod coupled;
 mod springs;
+mod strokes;
 
 use crate::mechanisms::*;
 use linkdyn_engine::analysis::{Control, Linearised, Outcome, modes, run};

@@ -18,10 +18,10 @@ use super::{ends, leaning};
 use crate::element::Axis;
 use crate::mechanism::equilibrium::{Balance, judge};
 use crate::mechanism::linearised_system::LinearisedSystem;
-use crate::system::{System, compile::compile};
+use crate::system::{System, compile::compile_about_rest};
 use linkdyn_linear::eigen::{EigenFault, Eigenpair, quadratic};
+use linkdyn_model::Checked;
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::{AnalysisKind, Checked};
 use linkdyn_output::{Equilibrium, Mobility, Status};
 
 /// A mechanism linearised.
@@ -83,7 +83,7 @@ impl Mode {
 /// # Errors
 /// Faults of the input; everything else ends in the status.
 pub fn modes(model: &Checked, pose: bool, control: &Control) -> Result<Linearised, Complaints> {
-    let system = compile(model, AnalysisKind::Dynamics)?;
+    let system = compile_about_rest(model)?;
     match linearise(&system, pose, control) {
         Ok(found) => Ok(found),
         Err(Stop::Input(complaints)) => Err(complaints.into()),

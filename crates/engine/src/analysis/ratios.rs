@@ -47,19 +47,19 @@ struct SumPart {
     scale: f64,
 }
 
-/// What an output is made of.
-enum Composed {
+/// What an output is computed from.
+enum OutputParts {
     Ratio([SumPart; 2]),
     Centre { bodies: [BodyId; 2], axis: Axis },
 }
 
-impl Composed {
+impl OutputParts {
     fn new(system: &System, kind: &OutputKind) -> Self {
         match kind {
             OutputKind::Ratio(sums) => {
-                Composed::Ratio(sums.each_ref().map(|sum| SumPart::new(system, sum)))
+                OutputParts::Ratio(sums.each_ref().map(|sum| SumPart::new(system, sum)))
             }
-            OutputKind::Centre { bodies, axis } => Composed::Centre {
+            OutputKind::Centre { bodies, axis } => OutputParts::Centre {
                 bodies: *bodies,
                 axis: *axis,
             },
@@ -69,11 +69,11 @@ impl Composed {
     /// Its value along a motion; `None` where what it divides by stands still.
     fn along(&self, system: &System, at: &Kinematics, tangent: &[f64]) -> Option<f64> {
         match self {
-            Composed::Ratio(parts) => {
+            OutputParts::Ratio(parts) => {
                 let [above, below] = parts.each_ref().map(|part| part.along(at, tangent));
                 (below.abs() > NO_MOTION * parts[1].scale).then(|| above / below)
             }
-            Composed::Centre { bodies, axis } => {
+            OutputParts::Centre { bodies, axis } => {
                 let velocity = |body: BodyId, axis| {
                     let column = system.layout.column(body, axis);
                     column.map_or(0.0, |column| tangent[column])
@@ -100,7 +100,7 @@ struct Ratio {
     output: usize,
     /// The driver that moves alone, where there are others.
     by: Option<DriverId>,
-    parts: Composed,
+    parts: OutputParts,
     still: usize,
     free: usize,
 }
@@ -154,7 +154,7 @@ impl<'s> Ratios<'s> {
                 by: system.outputs[output]
                     .by
                     .filter(|_| system.drivers.len() > 1),
-                parts: Composed::new(system, &system.outputs[output].kind),
+                parts: OutputParts::new(system, &system.outputs[output].kind),
                 still: 0,
                 free: 0,
             }),
@@ -208,8 +208,8 @@ impl<'s> Ratios<'s> {
             let name = &system.outputs[ratio.output].name;
             let still = (ratio.still > 0).then(|| {
                 let why = match ratio.parts {
-                    Composed::Ratio(_) => "what it divides by does not change there",
-                    Composed::Centre { .. } => "its bodies do not turn against each other there",
+                    OutputParts::Ratio(_) => "what it divides by does not change there",
+                    OutputParts::Centre { .. } => "its bodies do not turn against each other there",
                 };
                 format!("output.{name} is empty {}: {why}", rows(ratio.still))
             });

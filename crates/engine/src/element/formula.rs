@@ -26,12 +26,16 @@ pub trait Function: Debug + Send + Sync {
     fn value(&self, inputs: &[f64], held: Option<&[i32]>) -> f64;
     /// ∂f/∂s of the input with this index.
     fn slope(&self, inputs: &[f64], index: usize, held: Option<&[i32]>) -> f64;
-    /// Number of kinks.
-    fn kinks(&self) -> usize;
+    /// Number of kinks: none of a smooth function.
+    fn kinks(&self) -> usize {
+        0
+    }
     /// The sides on which the kinks are.
-    fn take_sides(&self, inputs: &[f64], sides: &mut [i32]);
+    fn take_sides(&self, _inputs: &[f64], _sides: &mut [i32]) {}
     /// How far beyond the sides that are held the kinks are, by their scales: the largest [–].
-    fn beyond(&self, inputs: &[f64], held: &[i32], scales: &[f64]) -> f64;
+    fn beyond(&self, _inputs: &[f64], _held: &[i32], _scales: &[f64]) -> f64 {
+        0.0
+    }
     /// The name of a table that is looked at beyond all of its points; empty of one without a name.
     fn outside(&self, _inputs: &[f64]) -> Option<&str> {
         None

@@ -51,14 +51,4 @@ impl Function for GasLaw {
             _ => -self.damping,
         }
     }
-
-    fn kinks(&self) -> usize {
-        0
-    }
-
-    fn take_sides(&self, _inputs: &[f64], _sides: &mut [i32]) {}
-
-    fn beyond(&self, _inputs: &[f64], _held: &[i32], _scales: &[f64]) -> f64 {
-        0.0
-    }
 }

@@ -18,14 +18,4 @@ impl Function for Weighted {
     fn slope(&self, _inputs: &[f64], index: usize, _held: Option<&[i32]>) -> f64 {
         self.factors[index]
     }
-
-    fn kinks(&self) -> usize {
-        0
-    }
-
-    fn take_sides(&self, _inputs: &[f64], _sides: &mut [i32]) {}
-
-    fn beyond(&self, _inputs: &[f64], _held: &[i32], _scales: &[f64]) -> f64 {
-        0.0
-    }
 }

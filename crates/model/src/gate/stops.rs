@@ -49,8 +49,9 @@ pub(super) fn stroke(rules: &mut Rules<'_>, force: &Force, path: &str) {
         ("stop_damping", stroke.stop_damping),
     ];
     let said = |length: f64| rules.model.display.length(length);
-    let fault = match (force.limits(), stroke.stop_stiffness) {
-        (None, _) => given.iter().find(|(_, value)| value.is_some()).map(|(key, _)| (
+    let fault = match (stroke.limits, stroke.stop_stiffness) {
+        // a gas spring has its ends by other words
+        (None, _) if force.limits().is_none() => given.iter().find(|(_, value)| value.is_some()).map(|(key, _)| (
             *key,
             "is of the stops at its limits, and there are no \"limits\"".to_owned(),
             "as in \"limits\": [\"300 mm\", \"500 mm\"]",
@@ -61,8 +62,7 @@ pub(super) fn stroke(rules: &mut Rules<'_>, force: &Force, path: &str) {
             "give one of them, or leave \"limits\" out",
         )),
         // one of a gas spring is told with its own words
-        (Some(_), _) if stroke.limits.is_none() && stroke.stop_stiffness.is_none() && stroke.stop_damping.is_none() => None,
-        (Some([Some(lower), _]), _) if lower <= 0.0 && stroke.limits.is_some() => Some((
+        (Some([Some(lower), _]), _) if lower <= 0.0 => Some((
             "limits",
             format!("the lower limit {} is no length that its points could come to", said(lower)),
             "a distance is above 0: give a greater one, or null where the stroke has no end",
@@ -77,17 +77,17 @@ pub(super) fn stroke(rules: &mut Rules<'_>, force: &Force, path: &str) {
             format!("the lower limit {} is not below the upper limit {}", said(lower), said(upper)),
             "write [lower, upper]",
         )),
-        (Some(_), None) if stroke.stop_damping.is_some() => Some((
+        (_, None) if stroke.stop_damping.is_some() => Some((
             "stop_damping",
             "\"stop_stiffness\" is missing: a stop with damping yields".to_owned(),
             "give the stiffness of the stops, or \"restitution\" instead of the damping",
         )),
-        (Some(_), Some(_)) if stroke.restitution.is_some() => Some((
+        (_, Some(_)) if stroke.restitution.is_some() => Some((
             "restitution",
             "the stops yield, since there is a \"stop_stiffness\": what they give back follows from stiffness and damping".to_owned(),
             "leave out one of them",
         )),
-        (Some(_), _) => None,
+        (_, _) => None,
     };
     if let Some((key, message, hint)) = fault.filter(|(key, ..)| known(key)) {
         rules.complain(format!("{path}.{key}"), message, hint);

@@ -1,6 +1,7 @@
 //! What a model consists of, as far as results are named after it.
 
 use crate::dimension::{Dimension, Powers};
+use crate::error::Complaint;
 use crate::node::{Kind, Node};
 use crate::ratio::OutputText;
 use crate::{DriverKind, ForceKind, GROUND, JointKind, Model};
@@ -20,8 +21,8 @@ pub struct Catalogue {
     pub(super) springs: Vec<Load>,
     pub(super) cables: Vec<Load>,
     pub(super) motors: Vec<Load>,
-    /// With the dimension of each that can be read.
-    pub(super) outputs: Vec<(String, Option<Powers>)>,
+    /// With the dimension of each, or why it can't be read.
+    pub(super) outputs: Vec<(String, Result<Powers, Complaint>)>,
     /// Tables with the dimensions of their columns.
     pub(super) tables: Vec<(String, [Powers; 2])>,
     /// States with their dimensions.
@@ -229,9 +230,7 @@ impl Catalogue {
     /// Outputs with their texts.
     fn put_out<'a>(&mut self, outputs: impl Iterator<Item = (&'a str, &'a str)>) {
         for (name, text) in outputs {
-            let powers = OutputText::read(text, self)
-                .ok()
-                .map(|output| output.powers());
+            let powers = OutputText::read(text, self).map(|output| output.powers());
             self.outputs.push((name.to_owned(), powers));
         }
     }

@@ -146,7 +146,10 @@ impl Catalogue {
             "transmission" => return self.transmitted(word),
             "state" => return self.state(word),
             "measure" => return self.measure(word, 0),
-            "output" => return self.outputs.iter().find(|one| one.0 == word)?.1,
+            "output" => {
+                let output = self.outputs.iter().find(|one| one.0 == word)?;
+                return output.1.as_ref().ok().copied();
+            }
             _ => {}
         }
         match owner.split_once('.')? {
@@ -339,6 +342,15 @@ impl Results for Catalogue {
                 crate::node::excerpt(name)
             ),
         );
+        let output = name.strip_prefix("output.");
+        let output = self.outputs.iter().find(|one| Some(&*one.0) == output);
+        if let Some((_, Err(fault))) = output {
+            let message = format!("{name} has no value: {}", fault.message);
+            return Complaint {
+                hint: fault.hint.clone(),
+                ..Complaint::new("", message)
+            };
+        }
         let owner = name.rsplit_once('.').map_or("", |(owner, _)| owner);
         if self.unwanted.iter().any(|point| point == owner) {
             let said = Complaint::new(

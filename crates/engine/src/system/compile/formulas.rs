@@ -102,7 +102,7 @@ impl Compiler<'_> {
             };
             self.system.states.push(data);
         }
-        let currents = std::mem::take(&mut self.currents);
+        let currents = std::mem::take(&mut self.integrated);
         self.system.states.extend(currents);
     }
 

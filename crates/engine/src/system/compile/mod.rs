@@ -36,12 +36,41 @@ use std::sync::Arc;
 /// # Errors
 /// Data that the analysis needs and the file lacks, all at once.
 pub fn compile(model: &Checked, analysis: AnalysisKind) -> Result<System, Complaints> {
+    let currents = match analysis {
+        AnalysisKind::Dynamics => Currents::Integrated,
+        _ => Currents::Steady,
+    };
+    compile_with(model, analysis, currents)
+}
+
+/// The same for small motions about a position at rest: with what dynamics needs, and currents that follow at once.
+///
+/// # Errors
+/// Those of [`compile`].
+pub fn compile_about_rest(model: &Checked) -> Result<System, Complaints> {
+    compile_with(model, AnalysisKind::Dynamics, Currents::Steady)
+}
+
+/// What the currents of motors with an inductance do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Currents {
+    /// They are states of the motion.
+    Integrated,
+    /// They have no rate, as at rest.
+    Steady,
+}
+
+fn compile_with(
+    model: &Checked,
+    analysis: AnalysisKind,
+    currents: Currents,
+) -> Result<System, Complaints> {
     let mut complaints = missing(model, analysis);
     let mut joints = Joints::new(model, &mut complaints);
     if analysis == AnalysisKind::QuasiStatics {
         joints.slow();
     }
-    let system = lower(model, joints, complaints)?;
+    let system = lower(model, joints, complaints, currents)?;
     Ok(match analysis {
         AnalysisKind::QuasiStatics => System {
             is_slow: true,
@@ -62,16 +91,17 @@ pub fn compile(model: &Checked, analysis: AnalysisKind) -> Result<System, Compla
 pub fn compile_geometry(model: &Checked) -> Result<System, Complaints> {
     let mut complaints = Vec::new();
     let joints = Joints::new(model, &mut complaints);
-    lower(model, joints, complaints)
+    lower(model, joints, complaints, Currents::Steady)
 }
 
 fn lower(
     model: &Model,
     joints: Joints<'_>,
     complaints: Vec<Complaint>,
+    currents: Currents,
 ) -> Result<System, Complaints> {
     if complaints.is_empty() {
-        Ok(Compiler::new(model, joints).build())
+        Ok(Compiler::new(model, joints, currents).build())
     } else {
         Err(complaints.into())
     }
@@ -93,13 +123,15 @@ struct Compiler<'a> {
     closed: HashMap<usize, Arc<dyn Constraint>>,
     /// What events close and open.
     timed: Vec<(ContactId, &'a Timed)>,
-    /// Currents of motors that have an inductance, which stand behind the states of the model.
-    currents: Vec<StateData>,
+    /// What the currents of motors with an inductance do.
+    currents: Currents,
+    /// Those that are integrated, which stand behind the states of the model.
+    integrated: Vec<StateData>,
     system: System,
 }
 
 impl<'a> Compiler<'a> {
-    fn new(model: &'a Model, joints: Joints<'a>) -> Self {
+    fn new(model: &'a Model, joints: Joints<'a>, currents: Currents) -> Self {
         let mut ids = HashMap::from([(GROUND, BodyId::GROUND)]);
         let mut com = vec![Vec2::zeros()];
         for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
@@ -155,7 +187,8 @@ impl<'a> Compiler<'a> {
             kinks: Vec::new(),
             closed: HashMap::new(),
             timed: Vec::new(),
-            currents: Vec::new(),
+            currents,
+            integrated: Vec::new(),
             system,
         }
     }

@@ -1,6 +1,6 @@
 //! Ready parts: gas springs, cylinders and motors, by the numbers of their data sheets.
 
-use super::Compiler;
+use super::{Compiler, Currents};
 use crate::element::BodyId;
 use crate::element::formula::Strength;
 use crate::element::gas_spring::GasLaw;
@@ -80,18 +80,18 @@ impl Compiler<'_> {
             from: 0.0,
         });
         let voltage = self.strength(voltage);
-        let torque = if *inductance == 0.0 {
+        let torque = if *inductance == 0.0 || self.currents == Currents::Steady {
             let by_voltage = by_current / resistance;
             let braking = self.weighted(vec![-by_voltage * by_current], vec![omega]);
             Strength::Sum(vec![(by_voltage, voltage), (1.0, braking)])
         } else {
-            let current = Quantity::State(self.model.states.len() + self.currents.len());
+            let current = Quantity::State(self.model.states.len() + self.integrated.len());
             let factors = vec![-by_current / inductance, -resistance / inductance];
             let losses = self.weighted(factors, vec![omega, current]);
             let torque = self.weighted(vec![by_current], vec![current]);
             let name = self.model.forces.get_index(self.system.forces.len());
             let name = name.map_or("", |(name, _)| name);
-            self.currents.push(StateData {
+            self.integrated.push(StateData {
                 name: format!("{name}.current"),
                 units: ["A", "A/s"],
                 start: 0.0,
