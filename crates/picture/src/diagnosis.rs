@@ -132,8 +132,14 @@ pub fn page_of_text(
 
 /// A drawing with the findings.
 fn whole_page(diagnosis: &Diagnosis, drawing: &str) -> String {
+    // What is wrong comes first where there is no room beside the drawing.
+    let is_wrong = |finding: &Finding| matches!(finding.severity, Severity::Wrong);
+    let first = match diagnosis.findings.iter().any(is_wrong) {
+        true => " class=\"first\"",
+        false => "",
+    };
     let mut main =
-        format!("<div class=\"beside\">\n<div class=\"card\">\n{drawing}</div>\n<div>\n");
+        format!("<div class=\"beside\">\n<div class=\"card\">\n{drawing}</div>\n<div{first}>\n");
     main += "<h2>What was found</h2>\n";
     if diagnosis.findings.is_empty() {
         main += "<p>Nothing is wrong, and nothing looks like a slip.</p>\n";

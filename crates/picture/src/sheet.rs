@@ -26,7 +26,7 @@ figcaption { margin-top: 8px; }
 .wrong .number { background: var(--bad); } .doubt .number { background: var(--warn); } .note .number { background: var(--muted); }
 .key { width: 22px; height: 4px; vertical-align: middle; margin-right: 8px; }
 @media (prefers-color-scheme: dark) { .card svg { filter: invert(1) hue-rotate(180deg); } }
-@media (max-width: 900px) { .beside { grid-template-columns: minmax(0, 1fr); } }
+@media (max-width: 900px) { .beside { grid-template-columns: minmax(0, 1fr); } .beside > .first { order: -1; } }
 @media (max-width: 600px) { header { padding: 8px 12px 6px; } main { padding: 0 10px 14px; } h1 { font-size: 17px; } .card { padding: 4px; } }
 @media print { :root { color-scheme: light; } .card svg { filter: none; } body { font-size: 11px; } .card { break-inside: avoid; } }
 ";

@@ -66,7 +66,7 @@
       const range = () => { const [low, high] = axes.padded(...axes.span(scaling, rows)); return [low - (high - low) * foot / Math.max(inner - foot, 1), high]; };
       const plot = { list, labels: [], found: [] };
       const peaks = (u) => {
-        const words = (values) => (row) => `${units.quantity(values[row] / this.factor, this.column.unit, 4)} at ${units.number(times[row], 4)} s`;
+        const words = (values) => (row) => `${units.quantity(values[row] / this.factor, this.column.unit, 4, true)} at ${units.number(times[row], 4)} s`;
         const curves = list.map(({ run, values }) => ({ run, values, ink: models.stroke(run), words: words(values) }));
         const { labels, found } = marks.peaks(u, curves, rows, { foot });
         Object.assign(plot, { labels, found: found.map(({ curve, at }) => ({ run: curve.run.name, words: curve.words(at) })) });
@@ -111,7 +111,7 @@
       }
       this.what.textContent = row === null ? "peaks" : `at ${units.number(times[row], 6)} s`;
       this.values.replaceChildren(...this.shown.map((run) => {
-        const number = element("span", { className: "number", text: row === null ? this.peak(run) : units.quantity(this.at(run, row), this.column.unit, 5) });
+        const number = element("span", { className: "number", text: row === null ? this.peak(run) : units.quantity(this.at(run, row), this.column.unit, 5, true) });
         return element("span", { className: "value" }, models.swatch(run, 16), element("span", { className: "muted text", text: run.name }), number);
       }));
     }
@@ -125,7 +125,7 @@
     peak(run) {
       const found = run.extremes[this.k];
       if (!found) return "–";
-      return units.quantity(Math.abs(found[0]) > Math.abs(found[2]) ? found[0] : found[2], this.column.unit, 4);
+      return units.quantity(Math.abs(found[0]) > Math.abs(found[2]) ? found[0] : found[2], this.column.unit, 4, true);
     }
   }
 
