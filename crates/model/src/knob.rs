@@ -5,8 +5,9 @@ use serde::Serialize;
 
 use super::error::Complaint;
 use super::expression::{Fault, Parameter, is_expression, quantity};
+use super::literal::Literal;
 use super::load::Loaded;
-use super::node::{Kind, Origin, excerpt};
+use super::node::{Origin, excerpt};
 use super::optimise::Range;
 use super::units::{Unit, split_quantity};
 
@@ -160,31 +161,17 @@ pub fn rewritten(loaded: &Loaded, values: &[(&str, f64)]) -> Result<String, Comp
         let node = source.root.get("parameters").and_then(|all| all.get(name));
         let node = node.map(|node| node.get("value").unwrap_or(node));
         let node = node.ok_or_else(|| refuse("there is no such parameter"))?;
-        let Origin::Text(start, end) = node.origin else {
+        if matches!(node.origin, Origin::Set(_)) {
             return Err(refuse("the file does not say it: --set gives it"));
-        };
-        let literal = source.text().get(start..end).unwrap_or_default();
-        let number = match &node.kind {
-            Kind::Number(_) => Some(literal),
-            Kind::String(_) => {
-                let inner = literal.get(1..literal.len().saturating_sub(1));
-                inner.and_then(split_quantity).map(|(number, _)| number)
-            }
-            Kind::Null | Kind::Bool(_) | Kind::Array(_) | Kind::Object(_) => None,
-        };
-        let place = number.and_then(|number| Some((literal.find(number)? + start, number.len())));
-        let (at, length) = place.ok_or_else(|| refuse("the file has no number for it"))?;
+        }
+        let literal = Literal::of(source, node, 1.0);
+        let literal = literal.ok_or_else(|| refuse("the file has no number for it"))?;
         if !value.is_finite() {
             return Err(refuse("a finite number is expected"));
         }
-        edits.push((at, length, value.to_string()));
+        edits.push((literal, value.to_string()));
     }
-    edits.sort_unstable();
-    let mut text = source.text().to_owned();
-    for (at, length, number) in edits.into_iter().rev() {
-        text.replace_range(at..at + length, &number);
-    }
-    Ok(text)
+    Ok(source.replaced(edits))
 }
 
 #[cfg(test)]

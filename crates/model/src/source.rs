@@ -84,7 +84,7 @@ impl Source {
     }
 
     /// The value at a path, or the nearest ancestor that exists: the node, where to point at, whether it is the one.
-    fn find(&self, path: &str) -> (&Node, Origin, bool) {
+    pub(super) fn find(&self, path: &str) -> (&Node, Origin, bool) {
         let (mut node, mut origin, mut rest) = (&self.root, self.root.origin, path);
         while !rest.is_empty() {
             let step = match &node.kind {

@@ -235,7 +235,9 @@ fn shape(text: &'static str) -> Option<Shape> {
         "coefficient" => Shape::Coefficient(bound(rest)?),
         "count" => {
             let (least, most) = rest.strip_prefix("from ")?.split_once(" to ")?;
-            Shape::Count(least.parse().ok()?, most.parse().ok()?)
+            // A page counts in 32 bits.
+            let most = usize::try_from(most.parse::<u64>().ok()?);
+            Shape::Count(least.parse().ok()?, most.unwrap_or(usize::MAX))
         }
         "contact_stiffness" => Shape::ContactStiffness,
         "direction" => Shape::Direction,
