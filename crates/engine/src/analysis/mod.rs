@@ -18,6 +18,7 @@ mod dynamics;
 mod ends;
 mod equilibrium;
 mod family;
+pub mod hand;
 pub mod in_line;
 pub mod instants;
 mod interval;
