@@ -1,8 +1,10 @@
 //! Wall and process CPU time of the stages of a run.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
+#[cfg(not(target_family = "wasm"))]
 use cpu_time::ProcessTime;
+use web_time::Instant;
 
 use super::Stage;
 
@@ -11,6 +13,7 @@ use super::Stage;
 pub struct Stopwatch {
     wall: Instant,
     /// None on a system that does not tell.
+    #[cfg(not(target_family = "wasm"))]
     cpu: Option<ProcessTime>,
 }
 
@@ -19,16 +22,19 @@ impl Stopwatch {
     pub fn start() -> Self {
         Stopwatch {
             wall: Instant::now(),
+            #[cfg(not(target_family = "wasm"))]
             cpu: ProcessTime::try_now().ok(),
         }
     }
 
     /// Time since the start.
     pub fn read(&self) -> Stage {
-        let cpu = self
-            .cpu
-            .and_then(|cpu| cpu.try_elapsed().ok())
-            .unwrap_or(Duration::ZERO);
+        #[cfg(not(target_family = "wasm"))]
+        let cpu = self.cpu.and_then(|cpu| cpu.try_elapsed().ok());
+        // A page has no clock of its processor.
+        #[cfg(target_family = "wasm")]
+        let cpu = None;
+        let cpu: Duration = cpu.unwrap_or_default();
         Stage {
             wall: self.wall.elapsed().as_secs_f64(),
             cpu: cpu.as_secs_f64(),

@@ -5,7 +5,7 @@ mod text;
 mod tuned;
 
 use std::io::{self, Write};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use linkdyn_engine::analysis::derived::derived;
 use linkdyn_engine::analysis::responses::to_json;
@@ -14,6 +14,7 @@ use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, Model};
 use linkdyn_output::{Stage, Summary, Trajectory};
 use linkdyn_picture::{Report, Shape};
+use web_time::Instant;
 
 use crate::shape::{with_loads, with_profiles};
 use crate::text::responses::for_page;
@@ -158,6 +159,11 @@ impl<'a> Origin<'a> {
         self.with_report(outcome, |report| report.write_data(&mut text))
             .expect("memory takes it");
         String::from_utf8(text).expect("it is made of texts")
+    }
+
+    /// The same with the numbers as they are, column after column: for a page that the engine runs in.
+    pub fn numbers(self, outcome: &Outcome) -> (String, Vec<f64>) {
+        self.with_report(outcome, |report| report.data())
     }
 
     /// Lets `write` have what the page is made of.

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use linkdyn_engine::analysis::{ABREAST, Control, Family, Member};
 use linkdyn_output::Status;
 use linkdyn_study::chunks::{ChunkFault, Rows};
+use web_time::Instant;
 
 use super::display::Display;
 use super::head::Head;

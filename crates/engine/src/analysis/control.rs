@@ -5,8 +5,8 @@ use linkdyn_model::error::Complaint;
 use linkdyn_output::Status;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
 use thiserror::Error;
+use web_time::Instant;
 
 /// Outside influence on a run.
 #[derive(Debug, Clone, Default)]

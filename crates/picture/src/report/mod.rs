@@ -16,7 +16,7 @@ mod encode;
 mod facts;
 mod page;
 
-pub use page::{LIMIT, Report};
+pub use page::{LIMIT, Report, around};
 
 #[cfg(test)]
 pub(crate) use page::SCRIPTS;

@@ -93,7 +93,7 @@ impl<'a> Report<'a> {
     /// # Errors
     /// Those of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        let page = page();
+        let page = around();
         self.fill(&page.each_ref().map(String::as_str), out)
     }
 
@@ -105,9 +105,31 @@ impl<'a> Report<'a> {
         self.fill(&["", "\n", ""], out)
     }
 
+    /// The same for a page that takes the numbers as they are, and has no limit: JSON, and column after column.
+    pub fn data(&self) -> (String, Vec<f64>) {
+        self.planned(usize::MAX, |data, sources, _| {
+            let columns = sources.iter();
+            let values =
+                columns.flat_map(|source| source.table.rows().map(|row| row[source.index]));
+            (data.to_owned(), values.collect())
+        })
+    }
+
     /// Writes the data and the numbers, with texts around them.
     fn fill(&self, [before, between, after]: &[&str; 3], out: &mut impl Write) -> io::Result<()> {
         let around = before.len() + between.len() + after.len();
+        let room = LIMIT.saturating_sub(around + MARGIN);
+        self.planned(room, |data, sources, plan| {
+            for text in [before, data, between] {
+                out.write_all(text.as_bytes())?;
+            }
+            write_values(sources.iter().copied(), plan, out)?;
+            out.write_all(after.as_bytes())
+        })
+    }
+
+    /// Lets `write` have the data as JSON, the columns and rows that there is room for, in so many bytes.
+    fn planned<T>(&self, room: usize, write: impl FnOnce(&str, &[&Source], &Plan) -> T) -> T {
         let mut notes = self.notes.clone();
         let facts = escaped(&facts(self.summary, &mut notes).to_string());
         let rows = self.shape.poses_in(self.table, MOST_ROWS);
@@ -123,9 +145,9 @@ impl<'a> Report<'a> {
         let sources = sources(self.summary.trajectory, self.table, self.derived);
         let cuts = escaped(&cuts(&sources).to_string());
         let used = [&facts, &shape, &drawing, &about, &source, &cuts].map(|text| text.len());
-        let used = around + used.iter().sum::<usize>() + notes.concat().len();
+        let used = used.iter().sum::<usize>() + notes.concat().len();
         let rows = self.table.len();
-        let room = LIMIT.saturating_sub(used + MARGIN);
+        let room = room.saturating_sub(used);
         let plan = plan(&sources, rows, room, |source| heading(source).len() + 1);
         let kept: Vec<&Source> = sources
             .iter()
@@ -148,17 +170,12 @@ impl<'a> Report<'a> {
             ("columns", format!("[{}]", columns.join(","))),
         ];
         let data = parts.map(|(name, json)| format!("{}:{json}", Value::from(name)));
-        let data = format!("{{{}}}", data.join(","));
-        for text in [before, data.as_str(), between] {
-            out.write_all(text.as_bytes())?;
-        }
-        write_values(kept.iter().copied(), &plan, out)?;
-        out.write_all(after.as_bytes())
+        write(&format!("{{{}}}", data.join(",")), &kept, &plan)
     }
 }
 
-/// The page around its data, which are JSON that is escaped, and its values. The script writes the title, since names are data.
-fn page() -> [String; 3] {
+/// The page around its data, which are JSON that is escaped, and its values: for a page that holds it in a frame and hands data over.
+pub fn around() -> [String; 3] {
     Live {
         title: "linkdyn report",
         style: "",

@@ -14,7 +14,8 @@ const linkdyn = {};
   };
   // Little-endian floats; an empty cell is NaN.
   const floatsOf = ({ bytes }, text) => new (bytes === 8 ? Float64Array : Float32Array)(decoded(text.trim()).buffer);
-  const floats = floatsOf(given, id("values").textContent);
+  // A page around this one that has the numbers hands them over as they are.
+  const floats = frameElement?.handed ?? floatsOf(given, id("values").textContent);
 
   // Control characters and those that change the direction of writing, spelt out.
   const plain = (any) => String(any).replace(/[\u0000-\u001f\u007f-\u009f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g,
@@ -37,4 +38,5 @@ const linkdyn = {};
   const words = (text) => text === "quasi_statics" ? "quasi-statics" : String(text).replaceAll("_", " ");
 
   Object.assign(linkdyn, { given, floats, floatsOf, plain, element, svg, icon, id, words, palette: given.palette, mechanism: given.mechanism });
+  window.linkdyn = linkdyn;
 })();

@@ -12,8 +12,10 @@ linkdyn.measureShapes = ({ mechanism, rows, column, given } = linkdyn) => {
   const known = mechanism.bodies.length > 1 && poses.slice(1).every(Boolean);
 
   // Pose of a body in a row; null if the cells are empty.
+  // Where a hand has put the bodies, whatever the row; none while there is none.
   const pose = (body, row) => {
     if (body === 0) return [0, 0, 0];
+    if (shapes.posed) return shapes.posed[body - 1];
     const of = poses[body];
     if (!of || row >= rows) return null;
     const found = [of[0][row], of[1][row], of[2][row]];
@@ -34,7 +36,7 @@ linkdyn.measureShapes = ({ mechanism, rows, column, given } = linkdyn) => {
   // Corners of the hull of a body.
   const hull = (body, row) => (given.drawing.hulls[body] || []).map((number) => shapes.place([body, number], row));
 
-  const shapes = { known, pose, place, carry, turn, hull };
+  const shapes = { posed: null, known, pose, place, carry, turn, hull };
   return shapes;
 };
 linkdyn.shapes = linkdyn.measureShapes();

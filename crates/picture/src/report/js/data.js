@@ -76,12 +76,15 @@
   // Shows another run; false where the page has to be made anew for it. `trying`: of values that are not in the file.
   const renew = (text, trying) => {
     const cut = text.indexOf("\n"), made = JSON.parse(text.slice(0, cut));
+    return take(made, linkdyn.floatsOf(made, text.slice(cut + 1)), trying);
+  };
+  const take = (made, floats, trying) => {
     shape ??= layout(given);
     if (layout(made) !== shape) return false;
     const { player } = linkdyn, instant = linkdyn.rows ? linkdyn.time[player.row] : 0;
     if (trying) linkdyn.ghost.take(); else linkdyn.ghost.leave();
     put(given, made);
-    fill(linkdyn.floatsOf(made, text.slice(cut + 1)));
+    fill(floats);
     Object.assign(linkdyn.shapes, linkdyn.measureShapes());
     player.renew(instant);
     listeners.forEach((listen) => listen(trying));
@@ -91,7 +94,7 @@
   };
 
   Object.assign(linkdyn, {
-    cutOf, endRows, endsOf, ofContact, eventWord, eventEnd, renew, summary: given.summary, columns, byName,
+    cutOf, endRows, endsOf, ofContact, eventWord, eventEnd, renew, take, summary: given.summary, columns, byName,
     column: (name) => byName.get(name), onData: (listen) => listeners.push(listen), afterData: (listen) => lateListeners.push(listen),
   });
   fill(linkdyn.floats);

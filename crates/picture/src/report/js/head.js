@@ -15,8 +15,8 @@
     LOOKS.forEach((name, k) => id("status").classList.toggle(name, k === (look < 0 ? 2 : look)));
     const kind = words((summary.settings || {}).type || "");
     const range = rows > 1 ? `, ${units.number(time[0], 4)} … ${units.number(time[rows - 1], 6)} s` : "";
-    // A run that ended early is opened where it is stuck.
-    if (!DONE.includes(summary.status)) linkdyn.player.seek(rows - 1);
+    // A run that ended early is opened where it is stuck, but not under the hand that edits its model.
+    if (!DONE.includes(summary.status) && !frameElement?.handed) linkdyn.player.seek(rows - 1);
     // What went wrong stands on top, what the page itself leaves out at its foot.
     linkdyn.page.head({
       name: summary.model.name, line: `${kind}: ${rows === 1 ? "1 instant" : `${rows} instants`}${range}, ${linkdyn.width} columns`,

@@ -139,10 +139,12 @@
     }
     return best;
   };
-  stage.hold = (place) => {
+  const lead = (place) => {
     const thing = linkdyn.rows && shapes.known ? find(place) : null, at = thing && path(thing, place);
     return at && ((to) => { hide(); player.pause(); player.seek(nearest(at, to)); });
   };
+  stage.hold = lead;
+  Object.assign(linkdyn, { find, lead });
   if (linkdyn.rows && shapes.known) {
     canvas.addEventListener("pointermove", (event) => { if (event.buttons === 0 || event.pointerType !== "mouse") set(stage.moving() ? null : find([event.offsetX, event.offsetY]), event); });
     canvas.addEventListener("pointerleave", (event) => set(null, event));

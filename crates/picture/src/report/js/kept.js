@@ -46,6 +46,7 @@
     if (kept.playing === true) player.play();
     if (kept.scroll > 0) scrollTo(0, kept.scroll);
   };
+  linkdyn.kept = { state, restore };
   const found = /^#kept=(.+)$/.exec(location.hash);
   if (found) try { restore(JSON.parse(decodeURIComponent(found[1]))); } catch (why) { console.info(`not all is kept: ${why.message}`); }
 

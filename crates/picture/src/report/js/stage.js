@@ -80,8 +80,9 @@
     return { x: 14, y: height - 9 - tall, wide: Math.max(long, pen.measureText(text).width + 8), tall, text };
   };
 
-  // What a cursor is on has a halo.
+  // What a cursor is on has a halo; a page around this one may draw below and above the mechanism.
   let halo = null;
+  const layers = { under: null, over: null };
   let placed = null;
   const buttons = () => placed ??= [...document.querySelectorAll("#view")].map((node) => ({ x: node.offsetLeft, y: node.offsetTop, wide: node.offsetWidth, tall: node.offsetHeight }));
   let drawn = [];
@@ -90,6 +91,7 @@
   const picture = (pen, size, to, scale, row, background, taken, colours) => {
     const { width, height } = size;
     const bar = barOf(width, height);
+    layers.under?.({ pen, to, scale, row, bar, colours, width, height });
     ghost.draw(pen, { to, scale, bar, row, colours, show: { drivers: show.drivers } }, (before) => {
       pen.strokeStyle = colours.accent; pen.lineWidth = 1.4;
       [...options.traces].forEach((key, k) => trace(pen, to, key, k, before));
@@ -105,6 +107,7 @@
     const list = names.filter(({ strong }) => !strong || show.bodies);
     const scales = forces.draw({ pen, to, bar, row, width, height, colours, names: list }, options);
     if (halo) halo({ pen, to, row, bar, colours });
+    layers.over?.({ pen, to, scale, row, bar, colours, width, height });
     const foot = linkdyn.rows ? [ruler(pen, size, scale, colours)] : [];
     foot.push(...forces.legend(pen, scales, foot.length ? foot[0].x + foot[0].wide + 18 : 14, height - 8, width));
     // Values and pins before bodies, which their colours identify as well.
@@ -200,10 +203,13 @@
     // The part of the plane that the reader has chosen, if so: its middle, and pixels per metre.
     get view() { return own ? [view.x, view.y, view.scale] : null; },
     set view([x, y, scale]) { Object.assign(view, { x, y, scale }); own = true; draw(); },
+    // The same, whoever has chosen it.
+    get shown() { return [view.x, view.y, view.scale]; },
     get labels() { return drawn; },
     get size() { return { width, height }; },
     get bar() { return barOf(width, height); },
     set halo(draws) { halo = draws; draw(); },
+    layers,
     to: (place) => to(place),
     from: ([x, y]) => [view.x + (x - width / 2) / view.scale, view.y + (height / 2 - y) / view.scale],
     // What takes hold of a place of the canvas, if something moves there: it follows the pointer.
