@@ -1,0 +1,102 @@
+// The model in the address, in the browser's store and in files. Nothing is sent to a server.
+
+const LONGEST = 4_000_000;
+
+const through = async (bytes: Uint8Array, stream: GenericTransformStream, longest = Infinity): Promise<Uint8Array> => {
+  const reader = new Blob([bytes as BlobPart]).stream().pipeThrough(stream as unknown as ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>).getReader(), parts: Uint8Array[] = [];
+  let size = 0;
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    size += value.length;
+    if (size > longest) { await reader.cancel(); throw new Error("too long"); }
+    parts.push(value);
+  }
+  const whole = new Uint8Array(size);
+  let k = 0;
+  for (const part of parts) { whole.set(part, k); k += part.length; }
+  return whole;
+};
+const base64 = (bytes: Uint8Array): string => {
+  let binary = "";
+  for (let k = 0; k < bytes.length; k += 8192) binary += String.fromCharCode(...bytes.subarray(k, k + 8192));
+  return btoa(binary);
+};
+export const bytesOf = (text: string): Uint8Array => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+
+/** The model as the part of an address behind `#`. */
+export const packed = async (text: string): Promise<string> => {
+  const bytes = await through(new TextEncoder().encode(text), new CompressionStream("deflate-raw"));
+  return `#m=${base64(bytes).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
+};
+/** The model of an address; nothing where it has none, an error where it can't be read. */
+export const unpacked = async (hash: string): Promise<string | null> => {
+  const found = /^#m=(.*)$/.exec(hash);
+  if (!found) return null;
+  const bytes = bytesOf(found[1]!.replaceAll("-", "+").replaceAll("_", "/"));
+  return decoded(await through(bytes, new DecompressionStream("deflate-raw"), LONGEST) as BufferSource);
+};
+/** The text of a file, each byte of it. */
+export const decoded = (bytes: BufferSource): string => new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
+export const gunzipped = (bytes: Uint8Array): Promise<Uint8Array> => through(bytes, new DecompressionStream("gzip"));
+
+const KEY = "linkdyn.editor";
+export const remember = (text: string): void => { try { localStorage.setItem(KEY, text); } catch { /* there is no store, or no room in it */ } };
+export const remembered = (): string | null => { try { return localStorage.getItem(KEY); } catch { return null; } };
+
+/** Gives the reader a file. */
+export const give = (name: string, blob: Blob): void => {
+  const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+};
+
+type Handle = { name: string; getFile(): Promise<File>; createWritable(): Promise<{ write(text: string): Promise<void>; close(): Promise<void> }> };
+type Pickers = { showOpenFilePicker?(options: object): Promise<Handle[]>; showSaveFilePicker?(options: object): Promise<Handle> };
+const KINDS = { types: [{ description: "linkdyn model", accept: { "application/json": [".json"] } }] };
+
+/** The file that is edited, where the browser may keep hold of it. */
+export class Files {
+  #handle: Handle | null = null;
+  name = "model.json";
+
+  async open(input: HTMLInputElement): Promise<string | null> {
+    const pickers = window as unknown as Pickers;
+    if (pickers.showOpenFilePicker) {
+      try {
+        const [handle] = await pickers.showOpenFilePicker(KINDS);
+        if (!handle) return null;
+        const text = await this.take(await handle.getFile());
+        this.#handle = handle;
+        return text;
+      } catch (why) { if ((why as Error).name === "AbortError") return null; throw why; }
+    }
+    return new Promise((done, fail) => {
+      input.onchange = () => { const file = input.files?.[0]; input.value = ""; if (file) this.take(file).then(done, fail); else done(null); };
+      input.oncancel = () => done(null);
+      input.click();
+    });
+  }
+  async take(file: File): Promise<string> {
+    if (file.size > LONGEST) throw new Error(`${file.name} has more than ${LONGEST / 1e6} MB`);
+    const text = decoded(await file.arrayBuffer());
+    [this.#handle, this.name] = [null, file.name];
+    return text;
+  }
+  forget(name = "model.json"): void { [this.#handle, this.name] = [null, name]; }
+  async save(text: string): Promise<void> {
+    const pickers = window as unknown as Pickers;
+    try {
+      if (!this.#handle && pickers.showSaveFilePicker) {
+        this.#handle = await pickers.showSaveFilePicker({ ...KINDS, suggestedName: this.name });
+        this.name = this.#handle.name;
+      }
+    } catch (why) { if ((why as Error).name === "AbortError") return; throw why; }
+    if (!this.#handle) { give(this.name, new Blob([text], { type: "application/json" })); return; }
+    const file = await this.#handle.createWritable();
+    await file.write(text);
+    await file.close();
+  }
+}

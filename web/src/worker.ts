@@ -1,0 +1,70 @@
+// The engine's side: each message is a question, each answer one message. A trap is told as a bug; the page then starts anew.
+import { initSync, Desk, lastPanic, models, modelText, schema, version } from "../build/engine/linkdyn.js";
+
+let desk: Desk, base: Desk | null = null;
+
+const pictured = (own: Desk, seconds: number) => {
+  const picture = own.run(seconds);
+  const { facts, values, failure } = picture;
+  picture.free();
+  return { facts, values, failure };
+};
+let known = "";
+const shown = (text: string, seconds: number) => {
+  known = text;
+  const began = performance.now(), read = JSON.parse(desk.read(text, "sketch"));
+  const picture = read.ok ? pictured(desk, seconds) : null;
+  return { text, read, picture, milliseconds: performance.now() - began };
+};
+
+const answers: Record<string, (...args: any[]) => unknown> = {
+  show: shown,
+  // A hand takes hold of the model of a text, at poses.
+  hold: (text: string, poses: number[]) => {
+    base?.free();
+    base = new Desk();
+    const read = JSON.parse(base.read(text, "sketch"));
+    return read.ok ? JSON.parse(base.hold(new Float64Array(poses))) : { faults: read.faults };
+  },
+  pull: (body: number, local: number[], target: number[]) => base && JSON.parse(base.pull(body, new Float64Array(local), new Float64Array(target))),
+  // Moves points of bodies that stay; then the model of the new text is shown.
+  move: (poses: number[], start: number[], time: number, ends: [string, string][], target: number[], grain: number, seconds: number) => {
+    const moved = JSON.parse(base!.moved(new Float64Array(poses), JSON.stringify(ends), new Float64Array(target), grain));
+    if (moved.faults) return moved;
+    const made = shown(moved.text, seconds);
+    // The assemblies that continue what stood there, at that time and at the start.
+    const [near, begin] = made.picture ? [[moved.poses, time], [start, 0]].map(([own, at]) => JSON.parse(desk.beside(new Float64Array(own), at))) : [null, null];
+    return { ...moved, ...made, near, begin };
+  },
+  // Parameters with other values; then the model of the new text is shown.
+  tune: (text: string, values: object, seconds: number) => {
+    if (text !== known) desk.read(text, "sketch");
+    const set = JSON.parse(desk.set(JSON.stringify(values))); return set.text === undefined ? set : shown(set.text, seconds);
+  },
+  typed: (name: string, text: string) => JSON.parse(desk.typed(name, text)),
+  check: () => desk.checkText(),
+  statics: () => { const picture = desk.statics(); const { facts, values, failure } = picture; picture.free(); return { facts, values, failure }; },
+  modes: () => desk.modesText(),
+  accuracy: () => desk.accuracyText(),
+  summary: () => desk.summary(),
+  csv: () => desk.csv(),
+  page: () => desk.reportPage(),
+  frame: () => JSON.parse(Desk.frame()),
+  models: () => JSON.parse(models()),
+  model: (name: string) => modelText(name),
+  schema: () => JSON.parse(schema()),
+  version: () => version(),
+};
+
+const buffers = (value: any): ArrayBuffer[] => value?.values instanceof Float64Array ? [value.values.buffer] : value?.picture ? buffers(value.picture) : [];
+self.onmessage = ({ data }) => {
+  if (data.module) { initSync({ module: data.module }); desk = new Desk(); return; }
+  try {
+    const answer = answers[data.name]!(...data.args);
+    self.postMessage({ answer }, { transfer: buffers(answer) });
+  } catch (why) {
+    let said = "";
+    try { said = lastPanic(); } catch { /* the instance is gone */ }
+    self.postMessage({ bug: said || (why as Error).message });
+  }
+};
