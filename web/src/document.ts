@@ -1,16 +1,19 @@
 // The text of the model, which is the model: what is drawn is written here, what is typed here is drawn. One history for both.
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
+import { defaultKeymap, indentWithTab } from "@codemirror/commands";
 import { json } from "@codemirror/lang-json";
 import { bracketMatching, defaultHighlightStyle, foldGutter, foldKeymap, HighlightStyle, indentOnInput, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Compartment, EditorState, Transaction, type Extension } from "@codemirror/state";
+import { Compartment, EditorState, type Extension } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { between } from "./edit";
 import type { Fault } from "./linkdyn";
 import { completions, type Schema } from "./schema";
+
+// Milliseconds between keys that are typed in one go; steps that can be undone.
+const TOGETHER = 700, MOST_STEPS = 2000;
 
 const colours = HighlightStyle.define([
   { tag: tags.propertyName, color: "var(--accent)" }, { tag: tags.string, color: "var(--good)" }, { tag: tags.number, color: "var(--load)" },
@@ -29,25 +32,35 @@ const look = EditorView.theme({
 
 export class Document {
   readonly view: EditorView;
-  /** The text while a hand holds it; what was there before. */
+  /** What the hand that holds the text found. */
   #held: string | null = null;
-  /** Told of every change but those of a hand. */
+  // Whole texts: what a hand does in between leaves no trace, and the first byte is always found again.
+  #past: string[] = [];
+  #future: string[] = [];
+  #last: string;
+  #typed = -Infinity;
+  /** Told of every change but those of a hand that still moves. */
   onChange: (why: "typed" | "written" | "history") => void = () => {};
   #schema = new Compartment();
   #quiet = false;
   #extensions: Extension[];
 
   constructor(parent: HTMLElement, text: string) {
+    this.#last = text;
     const heard = EditorView.updateListener.of((update) => {
       if (!update.docChanged || this.#quiet) return;
-      const undone = update.transactions.some((own) => own.isUserEvent("undo") || own.isUserEvent("redo"));
-      this.onChange(undone ? "history" : update.transactions.some((own) => own.isUserEvent("drawn")) ? "written" : "typed");
+      const now = performance.now();
+      // What is typed in one go is one step.
+      if (now - this.#typed > TOGETHER) this.#keep();
+      this.#typed = now;
+      this.#last = this.text;
+      this.onChange("typed");
     });
     this.#extensions = [
-      lineNumbers(), foldGutter(), lintGutter(), history(), drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(), highlightActiveLine(), highlightActiveLineGutter(),
+      lineNumbers(), foldGutter(), lintGutter(), drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(), highlightActiveLine(), highlightActiveLineGutter(),
       highlightSelectionMatches(), json(), syntaxHighlighting(colours), syntaxHighlighting(defaultHighlightStyle, { fallback: true }), look,
       // Tab leaves the text where Escape was pressed before, so that the keyboard is not caught.
-      keymap.of([...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...foldKeymap, indentWithTab]),
+      keymap.of([...closeBracketsKeymap, ...completionKeymap, ...defaultKeymap, ...searchKeymap, ...foldKeymap, indentWithTab]),
       this.#schema.of([]), heard, EditorView.contentAttributes.of({ "aria-label": "Text of the model" }),
       // Whatever a file's lines end with stays as it is.
       EditorState.lineSeparator.of("\n"),
@@ -58,41 +71,56 @@ export class Document {
   #state(text: string): EditorState { return EditorState.create({ doc: text, extensions: this.#extensions }); }
   /** Another model, with a history of its own. */
   open(text: string): void {
-    this.#held = null;
+    [this.#held, this.#past, this.#future, this.#last, this.#typed] = [null, [], [], text, -Infinity];
     this.view.setState(this.#state(text));
     if (this.#known) this.learn(this.#known);
   }
   #known: Schema | null = null;
 
   get text(): string { return this.view.state.sliceDoc(); }
-  get canUndo(): boolean { return undoDepth(this.view.state) > 0; }
-  get canRedo(): boolean { return redoDepth(this.view.state) > 0; }
-  undo(): void { undo(this.view); }
-  redo(): void { redo(this.view); }
-
-  #dispatch(text: string, annotations: any[]): void {
+  get canUndo(): boolean { return this.#past.length > 0; }
+  get canRedo(): boolean { return this.#future.length > 0; }
+  undo(): void { this.#turn(this.#past, this.#future); }
+  redo(): void { this.#turn(this.#future, this.#past); }
+  #turn(from: string[], to: string[]): void {
+    if (this.#held !== null) return;
+    const text = from.pop();
+    if (text === undefined) return;
+    to.push(this.#last);
+    this.#set(text, "history");
+  }
+  // Another text is one more step.
+  #keep(): void {
+    this.#past.push(this.#last);
+    if (this.#past.length > MOST_STEPS) this.#past.shift();
+    this.#future = [];
+  }
+  #set(text: string, why: "written" | "history"): void {
+    this.#show(text);
+    [this.#last, this.#typed] = [text, -Infinity];
+    this.onChange(why);
+  }
+  #show(text: string): void {
     const edit = between(this.text, text);
-    if (edit) this.view.dispatch({ changes: edit, annotations, scrollIntoView: false });
+    this.#quiet = true;
+    if (edit) this.view.dispatch({ changes: edit, scrollIntoView: false });
+    this.#quiet = false;
   }
   /** A change that is made by drawing: one step to undo. */
-  write(text: string): void { this.#dispatch(text, [Transaction.userEvent.of("drawn"), isolateHistory.of("full")]); }
+  write(text: string): void {
+    if (text === this.#last) { this.#show(text); return; }
+    this.#keep();
+    this.#set(text, "written");
+  }
 
   /** Changes while a hand moves are one step when it lets go. */
   hold(): void { this.#held ??= this.text; }
   get held(): string | null { return this.#held; }
-  live(text: string): void {
-    this.#quiet = true;
-    this.#dispatch(text, [Transaction.addToHistory.of(false)]);
-    this.#quiet = false;
-  }
+  live(text: string): void { this.#show(text); }
   release(): void {
-    const [before, now] = [this.#held, this.text];
+    if (this.#held === null) return;
     this.#held = null;
-    if (before === null || before === now) return;
-    this.#held = before;
-    this.live(before);
-    this.#held = null;
-    this.write(now);
+    this.write(this.text);
   }
 
   /** Marks what the engine complains of. */

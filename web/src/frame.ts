@@ -7,6 +7,7 @@ export class Frame {
   #style: string;
   #frame: HTMLIFrameElement | null = null;
   #coming: Promise<void> = Promise.resolve();
+  #waits = 0;
   report: Report | null = null;
   /** Whether the next picture is shown whole; else the view stays where it is, under the hand. */
   fits = true;
@@ -15,17 +16,23 @@ export class Frame {
 
   constructor(holder: HTMLElement, parts: [string, string, string], style: string) { [this.#holder, this.#parts, this.#style] = [holder, parts, style]; }
 
+  /** Whether what was given last is on the page. */
+  get isShown(): boolean { return this.#waits === 0; }
   get window(): Window | null { return this.#frame?.contentWindow ?? null; }
 
   /** Shows a picture; `trying`: while a hand moves, the state before stays as a ghost. */
   show(picture: Picture, trying: boolean): Promise<void> {
     // Pictures are shown in their order.
-    return this.#coming = this.#coming.then(() => this.#take(picture, trying));
+    this.#waits++;
+    return this.#coming = this.#coming.then(() => this.#take(picture, trying)).finally(() => { this.#waits--; });
   }
   async #take(picture: Picture, trying: boolean): Promise<void> {
     const { report } = this;
-    if (!report?.take(JSON.parse(picture.facts), picture.values, trying)) await this.#make(picture);
-    else if (this.fits) report.stage.whole();
+    if (!report?.take(JSON.parse(picture.facts), picture.values, trying)) {
+      // The canvas stays under the hand that holds it: what is another page is shown when it lets go.
+      if (trying && report) { this.window?.document.body.classList.add("old"); return; }
+      await this.#make(picture);
+    } else if (this.fits) report.stage.whole();
     if (this.fits) setTimeout(() => this.stay(), 0);
     this.fits = false;
   }

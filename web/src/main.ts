@@ -5,7 +5,7 @@ import { drawn, element, id } from "./element";
 import { Engine, Interrupted } from "./engine";
 import { Frame } from "./frame";
 import { icons } from "./icons";
-import type { Bundled, End, Faulty, Moved, Picture, Place, Pulled, Read, Report, Shown } from "./linkdyn";
+import type { Bundled, End, Faulty, Moved, Place, Pulled, Read, Report, Shown } from "./linkdyn";
 import { Ask, Findings, Parameters, Selected, type Shop } from "./panels";
 import { bytesOf, Files, give, gunzipped, packed, remember, remembered, unpacked } from "./share";
 import { Sketch } from "./sketch";
@@ -49,11 +49,12 @@ const start = async (): Promise<void> => {
   engine.onBusy = (busy) => { id("busy").textContent = busy ? words.computing : ""; };
 
   // What the engine made of a text.
-  const took = async ({ read, picture }: { read: Read | null; picture: Picture | null }, trying: boolean): Promise<void> => {
-    if (!read) return;
+  let shownText = "";
+  const took = async ({ text, read, picture }: Shown, trying: boolean): Promise<void> => {
     last = read;
-    if (picture) await frame.show(picture, trying);
+    shownText = text;
     frame.window?.document.body.classList.toggle("old", !read.ok);
+    if (picture) await frame.show(picture, trying);
     if (trying) return;
     tell();
   };
@@ -84,7 +85,7 @@ const start = async (): Promise<void> => {
     generation++;
     unpose();
     buttons();
-    resting = window.setTimeout(show, why === "typed" ? REST : 0);
+    resting = window.setTimeout(() => { resting = 0; void show(); }, why === "typed" ? REST : 0);
   };
   const write = (text: string): void => doc.write(text);
 
@@ -127,7 +128,7 @@ const start = async (): Promise<void> => {
       move: async (to) => {
         moved = true;
         try {
-          const pulled = await engine.live<Pulled>("pull", [body, local, report.stage.from(to)]);
+          const pulled = await engine.live<Pulled>("pull", [doc.text, body, local, report.stage.from(to)]);
           if (!pulled || pulled.faults || report !== frame.report) return;
           posed(report, pulled.poses);
           const why = pulled.singular ?? pulled.stopped;
@@ -155,7 +156,7 @@ const start = async (): Promise<void> => {
     let asked: Promise<unknown> = Promise.resolve(), moved = false;
     const to = (place: Place, event: PointerEvent): Place => { const grain = canvas.grain, [x, y] = report.stage.from(place); return event.altKey ? [x, y] : [Math.round(x / grain) * grain, Math.round(y / grain) * grain]; };
     const go = (target: Place, isLast: boolean) => {
-      const question = [list, begin, time, ends, target, canvas.grain, isLast ? SECONDS : LIVE_SECONDS];
+      const question = [before, list, begin, time, ends, target, canvas.grain, isLast ? SECONDS : LIVE_SECONDS];
       return (isLast ? engine.ask<Moved>("move", question) : engine.live<Moved>("move", question)).then(async (answer) => {
         if (!answer || doc.held === null) return;
         if (answer.faults) { say(answer.faults[0]!.text, { bad: true }); return; }
@@ -167,7 +168,7 @@ const start = async (): Promise<void> => {
     };
     return {
       move: (place, event) => {
-        if (!moved) { moved = true; doc.hold(); held(list).catch(failed); }
+        if (!moved) { moved = true; doc.hold(); }
         asked = go(to(place, event), false);
       },
       cancel: () => { if (doc.held !== null) { doc.live(doc.held); doc.release(); } void show(); },
@@ -184,7 +185,9 @@ const start = async (): Promise<void> => {
   // Whether the bodies at a row are on another branch than the one that continues what stood there; that is said, and can be mended.
   const flipped = (row: number, { near, begin }: Moved): boolean => {
     const report = frame.report!, turn = (angle: number) => Math.abs(angle - 2 * Math.PI * Math.round(angle / 2 / Math.PI));
-    if (!near || row >= report.rows) return false;
+    const { mobility } = report.summary;
+    // Where freedom is left, the start is wherever the text has it.
+    if (!near || row >= report.rows || !mobility || mobility.rank !== mobility.drivers) return false;
     const size = Math.max(...near.map((own, k) => k % 3 === 2 ? 0 : Math.abs(own)), 1e-9);
     const off = report.mechanism.bodies.slice(1).map((_, k) => {
       const pose = report.shapes.pose(k + 1, row);
@@ -277,7 +280,7 @@ const start = async (): Promise<void> => {
   }))));
 
   // Files.
-  const opened = (text: string): void => { canvas.select(null); frame.fits = true; doc.open(text); void show(); };
+  const opened = (text: string): void => { say(""); canvas.cancel(); canvas.select(null); frame.fits = true; doc.open(text); void show(); };
   const guarded = (act: () => Promise<void>) => () => void act().catch((why) => say((why as Error).message, { bad: true }));
   const gallery = async (): Promise<void> => {
     const list = await engine.ask<Bundled[]>("models"), dialog = id<HTMLDialogElement>("gallery");
@@ -290,7 +293,9 @@ const start = async (): Promise<void> => {
     try { await navigator.clipboard.writeText(location.href); say(words.copied); } catch { say(words.inAddress); }
   };
   const save = async (): Promise<void> => files.save(doc.text);
-  const open = async (): Promise<void> => { const text = await files.open(id<HTMLInputElement>("chosen")); if (text !== null) opened(text); };
+  const open = async (): Promise<void> => { const text = await files.open(input); if (text !== null) opened(text); };
+  const input = id<HTMLInputElement>("chosen");
+  input.addEventListener("change", () => { const file = input.files?.[0]; if (file) files.take(file).then(opened, failed); input.value = ""; });
   const EXPORTS: [string, string, string][] = [["results.csv", "csv", "text/csv"], ["summary.json", "summary", "application/json"], ["report.html", "page", "text/html"]];
   const exported = element("select", { "aria-label": words.file.export, title: words.file.export }, element("option", { value: "", text: words.file.export }), ...EXPORTS.map(([name], k) => element("option", { value: k, text: name })));
   exported.addEventListener("change", guarded(async () => {
@@ -325,10 +330,11 @@ const start = async (): Promise<void> => {
     const act = (does: () => void) => { event.preventDefault(); event.stopPropagation(); does(); };
     if (control && key === "s") { act(guarded(save)); return; }
     if (control && key === "o") { act(guarded(open)); return; }
-    if (writes) return;
+    const isText = (event.target as HTMLElement).closest?.(".cm-editor");
+    if (writes && !(control && isText)) return;
     if (control && (key === "y" || (key === "z" && event.shiftKey))) { act(() => doc.redo()); return; }
     if (control && key === "z") { act(() => doc.undo()); return; }
-    if (control || event.altKey) return;
+    if (writes || control || event.altKey) return;
     if (key === "escape") { act(() => { if (!canvas.cancel()) { unpose(); canvas.select(null); choose("pose"); } }); return; }
     if ((key === "delete" || key === "backspace") && canvas.selected) { const thing = canvas.selected; act(() => remove(thing)); return; }
     const tool = Object.entries(words.tools).find(([, [, own]]) => own === key);
@@ -357,7 +363,7 @@ const start = async (): Promise<void> => {
   if (before !== null && before !== NEW) say(words.restored, { act: [[words.startOver, () => { files.forget(); opened(NEW); }]] });
   document.documentElement.dataset.ready = "true";
   // What tests look at.
-  Object.assign(window, { editor: { doc, engine, frame, canvas, choose, get last() { return last; } } });
+  Object.assign(window, { editor: { doc, engine, frame, canvas, choose, open: opened, packed, get last() { return last; }, get shownText() { return shownText; }, get isIdle() { return engine.idle && frame.isShown && !resting && doc.held === null; } } });
 };
 
 start().catch((why) => { id("says").hidden = false; id("says").className = "bad"; id("says").textContent = `${(why as Error).message}`; });

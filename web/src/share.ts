@@ -62,6 +62,7 @@ export class Files {
   #handle: Handle | null = null;
   name = "model.json";
 
+  /** The text of the file that the reader chooses; where the browser has no such window, the input tells of it. */
   async open(input: HTMLInputElement): Promise<string | null> {
     const pickers = window as unknown as Pickers;
     if (pickers.showOpenFilePicker) {
@@ -73,11 +74,8 @@ export class Files {
         return text;
       } catch (why) { if ((why as Error).name === "AbortError") return null; throw why; }
     }
-    return new Promise((done, fail) => {
-      input.onchange = () => { const file = input.files?.[0]; input.value = ""; if (file) this.take(file).then(done, fail); else done(null); };
-      input.oncancel = () => done(null);
-      input.click();
-    });
+    input.click();
+    return null;
   }
   async take(file: File): Promise<string> {
     if (file.size > LONGEST) throw new Error(`${file.name} has more than ${LONGEST / 1e6} MB`);

@@ -1,7 +1,7 @@
 // The engine's side: each message is a question, each answer one message. A trap is told as a bug; the page then starts anew.
 import { initSync, Desk, lastPanic, models, modelText, schema, version } from "../build/engine/linkdyn.js";
 
-let desk: Desk, base: Desk | null = null;
+let desk: Desk, base: Desk | null = null, baseText = "";
 
 const pictured = (own: Desk, seconds: number) => {
   const picture = own.run(seconds);
@@ -17,19 +17,24 @@ const shown = (text: string, seconds: number) => {
   return { text, read, picture, milliseconds: performance.now() - began };
 };
 
+// The model that a hand found when it took hold.
+const based = (text: string): Desk => {
+  if (!base || baseText !== text) {
+    base?.free();
+    [base, baseText] = [new Desk(), text];
+    base.read(text, "sketch");
+  }
+  return base;
+};
+
 const answers: Record<string, (...args: any[]) => unknown> = {
   show: shown,
   // A hand takes hold of the model of a text, at poses.
-  hold: (text: string, poses: number[]) => {
-    base?.free();
-    base = new Desk();
-    const read = JSON.parse(base.read(text, "sketch"));
-    return read.ok ? JSON.parse(base.hold(new Float64Array(poses))) : { faults: read.faults };
-  },
-  pull: (body: number, local: number[], target: number[]) => base && JSON.parse(base.pull(body, new Float64Array(local), new Float64Array(target))),
+  hold: (text: string, poses: number[]) => JSON.parse(based(text).hold(new Float64Array(poses))),
+  pull: (text: string, body: number, local: number[], target: number[]) => JSON.parse(based(text).pull(body, new Float64Array(local), new Float64Array(target))),
   // Moves points of bodies that stay; then the model of the new text is shown.
-  move: (poses: number[], start: number[], time: number, ends: [string, string][], target: number[], grain: number, seconds: number) => {
-    const moved = JSON.parse(base!.moved(new Float64Array(poses), JSON.stringify(ends), new Float64Array(target), grain));
+  move: (text: string, poses: number[], start: number[], time: number, ends: [string, string][], target: number[], grain: number, seconds: number) => {
+    const moved = JSON.parse(based(text).moved(new Float64Array(poses), JSON.stringify(ends), new Float64Array(target), grain));
     if (moved.faults) return moved;
     const made = shown(moved.text, seconds);
     // The assemblies that continue what stood there, at that time and at the start.

@@ -66,12 +66,13 @@ pub fn moved(
     target: [f64; 2],
     grain: f64,
 ) -> Result<Moved, Unanswered> {
-    let problem = Problem::new(file, poses, ends)?;
-    let mut x = vec![0.0; problem.unknowns.count];
-    let size = problem.size;
-    for _ in 0..ITERATIONS {
-        let (rows, misfit) = problem.linear(&x, target);
-        let matrix = Dense::new(misfit.len(), x.len().max(1), rows);
+    let dragging = Dragging::new(file, poses, ends)?;
+    let mut x = vec![0.0; dragging.unknowns.count];
+    let size = dragging.size;
+    let rounds = if x.is_empty() { 0 } else { ITERATIONS };
+    for _ in 0..rounds {
+        let (rows, misfit) = dragging.linear(&x, target);
+        let matrix = Dense::new(misfit.len(), x.len(), rows);
         let Ok(step) = least_norm_solve(&matrix, &misfit, 1e-13) else {
             break;
         };
@@ -83,10 +84,10 @@ pub fn moved(
             break;
         }
     }
-    problem.write(&x, grain.max(1e-9 * size))
+    dragging.write(&x, grain.max(1e-9 * size))
 }
 
-struct Problem<'f> {
+struct Dragging<'f> {
     file: &'f ModelFile,
     knobs: Vec<(usize, Knob, Literal)>,
     bodies: Vec<Body>,
@@ -101,7 +102,7 @@ struct Problem<'f> {
     dependence: Dependence,
 }
 
-impl<'f> Problem<'f> {
+impl<'f> Dragging<'f> {
     fn new(file: &'f ModelFile, poses: &[[f64; 3]], ends: &[PointRef]) -> Result<Self, Unanswered> {
         let model = file.model();
         let moving = model.bodies.keys().filter(|name| *name != GROUND);
@@ -113,7 +114,7 @@ impl<'f> Problem<'f> {
         let dependence = source.dependence();
         let derivatives = dependence.at(&[]);
         let plain = model.display.length.size;
-        let mut problem = Problem {
+        let mut dragging = Dragging {
             file,
             knobs: own_numbers(file),
             bodies: Vec::new(),
@@ -132,10 +133,10 @@ impl<'f> Problem<'f> {
             if !body.points.contains_key(&end.point) {
                 return Err(missing());
             }
-            if problem.bodies.iter().any(|own| own.name == end.body) {
+            if dragging.bodies.iter().any(|own| own.name == end.body) {
                 return Err(Unanswered::question(format!("two points of {}", end.body)));
             }
-            let index = problem.bodies.len();
+            let index = dragging.bodies.len();
             let path = |point: &str, axis: usize| {
                 let path = format!("bodies.{}.points.{point}", end.body);
                 let keyed = source.literal(&format!("{path}.position[{axis}]"), plain);
@@ -167,8 +168,8 @@ impl<'f> Problem<'f> {
             let is_alone = end.body != GROUND && jointed.is_empty() && names.len() == 1;
             let may_move =
                 end.body != GROUND && (is_alone || (by_expressions && !is_driven(file, &end.body)));
-            let moves = may_move.then(|| problem.unknowns.take(3));
-            problem.bodies.push(Body {
+            let moves = may_move.then(|| dragging.unknowns.take(3));
+            dragging.bodies.push(Body {
                 name: end.body.clone(),
                 pose,
                 moves,
@@ -191,28 +192,28 @@ impl<'f> Problem<'f> {
                     free,
                 }
             };
-            let led = point(&end.point, &mut problem.unknowns, true);
-            problem.points.insert(index, led);
+            let led = point(&end.point, &mut dragging.unknowns, true);
+            dragging.points.insert(index, led);
             for name in jointed {
-                let stays = point(name, &mut problem.unknowns, false);
+                let stays = point(name, &mut dragging.unknowns, false);
                 if may_move {
-                    problem.stays.push(carried(pose, stays.local));
-                    problem.points.push(stays);
+                    dragging.stays.push(carried(pose, stays.local));
+                    dragging.points.push(stays);
                 }
             }
         }
         // Parameters behind any of these coordinates.
         for leaf in &derivatives.leaves {
-            let is_own = problem
+            let is_own = dragging
                 .points
                 .iter()
                 .any(|point| point.paths.contains(&leaf.path));
             for (parameter, _) in leaf.gradient.iter().filter(|_| is_own) {
-                let known = problem.unknowns.parameters.iter();
-                let has_number = problem.knobs.iter().any(|(index, ..)| index == parameter);
+                let known = dragging.unknowns.parameters.iter();
+                let has_number = dragging.knobs.iter().any(|(index, ..)| index == parameter);
                 if has_number && known.clone().all(|(index, _)| index != parameter) {
-                    let unknown = problem.unknowns.take(1);
-                    problem.unknowns.parameters.push((*parameter, unknown));
+                    let unknown = dragging.unknowns.take(1);
+                    dragging.unknowns.parameters.push((*parameter, unknown));
                 }
             }
         }
@@ -220,8 +221,8 @@ impl<'f> Problem<'f> {
         let most = all
             .flatten()
             .fold(0.0, |most: f64, own| most.max(own.abs()));
-        problem.size = if most > 0.0 { most } else { 1.0 };
-        Ok(problem)
+        dragging.size = if most > 0.0 { most } else { 1.0 };
+        Ok(dragging)
     }
 
     /// A parameter's size: what its unknown is measured by.
@@ -445,3 +446,6 @@ fn is_driven(file: &ModelFile, name: &str) -> bool {
         _ => false,
     })
 }
+
+#[cfg(test)]
+mod tests;

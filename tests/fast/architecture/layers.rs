@@ -190,6 +190,7 @@ const KNOW_THE_MODEL: &[&str] = &[
     "analysis/derived.rs",
     "analysis/family/mechanisms.rs",
     "analysis/family/mod.rs",
+    "analysis/hand.rs",
     "analysis/modes.rs",
     // Named numbers, whose arithmetic is the model's.
     "analysis/responses/",

@@ -22,6 +22,8 @@ const PACKAGES: &[(&str, &[&str])] = &[
             "study",
         ],
     ),
+    // The engine for pages in a browser.
+    ("web", &["ask", "picture", "engine", "output", "model"]),
     // Questions and their answers.
     (
         "ask",
@@ -31,6 +33,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
             "engine",
             "output",
             "model",
+            "linear",
             "optimise",
             "study",
         ],

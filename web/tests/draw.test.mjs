@@ -1,0 +1,77 @@
+// Drawing by hand: what is drawn stands in the text, and moves.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, open } from "./browser.mjs";
+
+after(close);
+
+/** A crank-rocker with a coupler point, by the tools; the number of actions. */
+const fourBar = async ({ key, drag, click, middle }) => {
+  await key("b");
+  await drag([300, 450], [340, 380]);
+  await drag([340, 380], [560, 250]);
+  await drag([560, 250], [620, 450]);
+  await key("g");
+  await click([300, 450]);
+  await click([620, 450]);
+  await key("m");
+  await click(await middle("bar1.A", "bar1.B"));
+  await key("t");
+  await click(await middle("bar2.B", "bar2.C"));
+  return 11;
+};
+
+test("a four-bar is drawn, moves and is traced within a minute and fifteen actions", async () => {
+  const it = await open(), began = performance.now(), actions = await fourBar(it);
+  const text = await it.text(), seconds = (performance.now() - began) / 1000;
+  const model = JSON.parse(text);
+  assert.deepEqual(Object.keys(model.bodies), ["ground", "bar1", "bar2", "bar3"]);
+  assert.equal(Object.keys(model.joints).length, 4);
+  assert.equal(model.points.length, 1);
+  const { status, rows } = await it.editor(() => ({ status: window.editor.frame.report.summary.status, rows: window.editor.frame.report.rows }));
+  assert.equal(status, "completed");
+  assert.equal(rows, 361);
+  console.log(`page ready in ${Math.round(it.ready)} ms; a motion drawn in ${seconds.toFixed(1)} s, ${actions} actions`);
+  assert.ok(actions <= 15 && seconds < 60);
+  assert.deepEqual(it.faults, []);
+  // Undo, step by step, to the first byte; redo to the last.
+  const first = await it.editor(() => { while (window.editor.doc.canUndo) window.editor.doc.undo(); return window.editor.doc.text; });
+  assert.match(first, /"ground": \{ "points": \{\} \}/);
+  assert.equal(await it.editor(() => { while (window.editor.doc.canRedo) window.editor.doc.redo(); return window.editor.doc.text; }), text);
+});
+
+test("all tools write what the engine takes", async () => {
+  const it = await open();
+  await fourBar(it);
+  const { key, drag, click, pixel, middle } = it, by = ([x, y], dx, dy) => [x + dx, y + dy];
+  const [b, c] = [await pixel("bar1.B"), await pixel("bar2.C")];
+  await key("k"); await drag(b, by(b, -80, -60));
+  await key("c"); await drag(c, by(c, 60, -60));
+  await key("f"); await drag(c, by(c, 0, 60));
+  await key("q"); await click(await middle("bar3.C", "bar3.D"));
+  await key("p"); await click(await middle("bar3.C", "bar3.D"));
+  await it.editor(() => { window.editor.doc.undo(); window.editor.doc.undo(); window.editor.doc.redo(); });
+  await key("s"); await drag(await middle("bar2.B", "bar2.C"), by(c, 20, -100));
+  await it.editor(() => window.editor.doc.undo());
+  await it.idle();
+  const text = await it.text(), model = JSON.parse(text);
+  assert.ok(Object.keys(model.forces).length >= 3, text);
+  const faults = await it.editor(() => window.editor.last.faults);
+  assert.deepEqual(faults, [], text);
+  assert.deepEqual(it.faults, []);
+});
+
+test("deleting takes along what hangs on it, and nothing else", async () => {
+  const it = await open();
+  await fourBar(it);
+  const before = await it.text();
+  await it.key("x");
+  await it.click(await it.middle("bar3.C", "bar3.D"));
+  const model = JSON.parse(await it.text());
+  assert.deepEqual(Object.keys(model.bodies), ["ground", "bar1", "bar2"]);
+  assert.equal(Object.keys(model.joints).length, 2);
+  await it.key("Control+z");
+  await it.idle();
+  assert.equal(await it.text(), before);
+  assert.deepEqual(it.faults, []);
+});
