@@ -15,6 +15,7 @@ pub struct Options {
 /// Pages of the book, and what each is for.
 const LIST: &str = "\
 tutorial    a first model, from an empty file to a study of clearance
+editor      a mechanism that moves while you draw it, in a browser
 recipes     points from a drawing, a cylinder, a motor, a suspension, pandas
 accuracy    what tolerances and clearances do, and how tight they must be
 studies     many variants of a model: sweeps, samples of tolerances, clusters
@@ -35,6 +36,7 @@ performance how long things take
 fn text(page: &str) -> Option<&'static str> {
     Some(match page {
         "tutorial" => include_str!("../../docs/tutorial.md"),
+        "editor" => include_str!("../../docs/editor.md"),
         "recipes" => include_str!("../../docs/recipes.md"),
         "accuracy" => include_str!("../../docs/accuracy.md"),
         "studies" => include_str!("../../docs/studies.md"),

@@ -8,6 +8,7 @@
 //! | `results`   | RESULTS: reads what a run has written                    |
 //! | `measures`  | options that are numbers with limits                     |
 //! | `watch`     | runs again when a file changes                           |
+//! | `serve`     | pages served to this computer                            |
 //! | `live`      | the page that shows the report of each of these runs     |
 //! | `progress`  | the line that tells how far a run has come               |
 //! | `interrupt` | Ctrl-C, and other signals to end                         |
@@ -21,6 +22,7 @@ mod check;
 mod compare;
 mod completions;
 mod docs;
+mod edit;
 mod exit;
 mod gallery;
 mod interrupt;
@@ -38,6 +40,7 @@ mod replaced;
 mod results;
 mod run;
 mod schema;
+mod serve;
 mod streams;
 mod study;
 mod threads;
@@ -91,6 +94,8 @@ enum Command {
     New(new::Options),
     /// Run a model's analysis
     Run(run::Options),
+    /// Edit a model file in a browser: drawing and text, with the motion beside
+    Edit(edit::Options),
     /// Read, assemble and diagnose a model
     Check(check::Options),
     /// Run a model with each model of a joint's clearance, and compare
@@ -165,6 +170,7 @@ impl Command {
         match self {
             Command::New(options) => new::execute(&options),
             Command::Run(options) => run::execute(&options),
+            Command::Edit(options) => edit::execute(&options),
             Command::Check(options) => check::execute(&options),
             Command::Compare(options) => compare::execute(&options),
             Command::Accuracy(options) => accuracy::execute(&options),

@@ -14,8 +14,9 @@ mod boxes;
 mod check;
 mod cli;
 mod compare;
-mod figures;
 #[cfg(target_os = "linux")]
+mod edit;
+mod figures;
 mod full_disk;
 mod fuzz_finds;
 #[cfg(unix)]

@@ -7,7 +7,7 @@ import { Frame } from "./frame";
 import { icons } from "./icons";
 import type { Bundled, End, Faulty, Moved, Place, Pulled, Read, Report, Shown } from "./linkdyn";
 import { Ask, Findings, Parameters, Selected, type Shop } from "./panels";
-import { bytesOf, Files, give, gunzipped, packed, remember, remembered, unpacked } from "./share";
+import { bytesOf, Files, give, gunzipped, packed, remember, remembered, Served, unpacked } from "./share";
 import { Sketch } from "./sketch";
 import { tools as makeTools, type Desk } from "./tools";
 import { words } from "./words";
@@ -31,6 +31,7 @@ const start = async (): Promise<void> => {
   const engine = new Engine(JSON.parse(given("worker")) as string, module);
   const parts = await engine.ask<[string, string, string]>("frame");
 
+  const served = Served.found;
   const frame = new Frame(id("view"), parts, frameStyle), canvas = new Canvas(), files = new Files();
   const doc = new Document(id("text"), NEW);
   let last: Read | null = null, generation = 0;
@@ -73,7 +74,7 @@ const start = async (): Promise<void> => {
   id("hint").textContent = words.empty;
   const show = async (): Promise<void> => {
     const own = ++generation, text = doc.text;
-    remember(text);
+    if (!served) remember(text);
     try {
       const shown = await engine.live<Shown>("show", [text, SECONDS], SECONDS + 4);
       if (shown && own === generation) await took(shown, false);
@@ -292,7 +293,15 @@ const start = async (): Promise<void> => {
     history.replaceState(null, "", await packed(doc.text));
     try { await navigator.clipboard.writeText(location.href); say(words.copied); } catch { say(words.inAddress); }
   };
-  const save = async (): Promise<void> => files.save(doc.text);
+  // What the file holds.
+  let known = "";
+  const save = async (): Promise<void> => {
+    if (!served) { await files.save(doc.text); return; }
+    if (await served.save(doc.text)) { known = doc.text; say(words.saved(served.name)); }
+    else clash(await served.read());
+  };
+  // Two texts of one file: the reader says which.
+  const clash = (other: string | null): void => say(words.changedOnDisk(served!.name), { stays: true, act: [[words.overwrite, guarded(save)], ...(other === null ? [] : [[words.takeIt, () => write(other)] as [string, () => void]])] });
   const open = async (): Promise<void> => { const text = await files.open(input); if (text !== null) opened(text); };
   const input = id<HTMLInputElement>("chosen");
   input.addEventListener("change", () => { const file = input.files?.[0]; if (file) files.take(file).then(opened, failed); input.value = ""; });
@@ -357,8 +366,15 @@ const start = async (): Promise<void> => {
   choose("pose");
   const fromAddress = async (): Promise<string | null> => { try { return await unpacked(location.hash); } catch { say(words.badLink, { bad: true }); return null; } };
   addEventListener("hashchange", async () => { const text = await fromAddress(); if (text !== null && text !== doc.text) opened(text); });
-  const linked = await fromAddress(), before = linked === null ? remembered() : null;
-  doc.open(linked ?? before ?? NEW);
+  const file = await served?.read().catch(() => null), linked = served ? null : await fromAddress(), before = served || linked !== null ? null : remembered();
+  known = file ?? "";
+  if (served) {
+    files.forget(served.name);
+    void served.watch((text) => { if (doc.text === text) return; const isClean = doc.text === known;
+      known = text;
+      if (isClean) write(text); else clash(text); }, () => say(words.ended, { bad: true, stays: true }));
+  }
+    doc.open(file ?? linked ?? before ?? NEW);
   await show();
   if (before !== null && before !== NEW) say(words.restored, { act: [[words.startOver, () => { files.forget(); opened(NEW); }]] });
   document.documentElement.dataset.ready = "true";

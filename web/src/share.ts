@@ -98,3 +98,42 @@ export class Files {
     await file.close();
   }
 }
+
+/** The file that `linkdyn edit` serves beside the page. */
+export class Served {
+  #version = "";
+  /** What was read or saved last. */
+  saved = "";
+  readonly name: string;
+  constructor(name: string) { this.name = name; }
+  static get found(): Served | null {
+    const name = document.querySelector<HTMLMetaElement>("meta[name='linkdyn-file']")?.content;
+    return name ? new Served(name) : null;
+  }
+  async #ask(path: string, options?: RequestInit): Promise<Response> { return fetch(path, { cache: "no-store", ...options }); }
+  /** The text of the file; nothing where there is none yet. */
+  async read(): Promise<string | null> {
+    this.#version = await (await this.#ask("state?")).text();
+    const answer = await this.#ask("model");
+    return answer.ok ? this.saved = decoded(await answer.arrayBuffer()) : null;
+  }
+  /** Saves; false where another program has saved meanwhile. */
+  async save(text: string): Promise<boolean> {
+    const answer = await this.#ask(`save?${this.#version}`, { method: "POST", body: text });
+    if (answer.status === 409) return false;
+    if (!answer.ok) throw new Error(await answer.text());
+    [this.#version, this.saved] = [await answer.text(), text];
+    return true;
+  }
+  /** Tells of each text that another program saves; ends with the command. */
+  async watch(take: (text: string) => void, ended: () => void): Promise<void> {
+    try {
+      for (;;) {
+        const version = await (await this.#ask(`state?${this.#version}`)).text();
+        if (version === this.#version || version === "none") continue;
+        const text = await this.read();
+        if (text !== null) take(text);
+      }
+    } catch { ended(); }
+  }
+}

@@ -2,9 +2,7 @@
 //!
 //! A page from a disk may neither read files nor talk to a program, so `live.html` only leads to the page that is served.
 
-mod http;
 mod routes;
-mod server;
 mod state;
 
 use std::path::Path;
@@ -16,11 +14,13 @@ use linkdyn_engine::analysis::Outcome;
 use linkdyn_output::{Directory, WriteError};
 use linkdyn_picture::watch_page;
 
+use super::serve::Server;
 use super::streams::remark;
-use server::Server;
 use state::State;
 
 const NAME: &str = "live.html";
+/// Longest body of a request: values of parameters \[bytes\].
+const LONGEST_BODY: usize = 64 * 1024;
 
 /// The page, as long as this lives.
 #[derive(Debug)]
@@ -39,7 +39,9 @@ impl Live {
     pub fn new(directory: Directory, model: &Path) -> Result<Self, WriteError> {
         let report = directory.path().join("report.html");
         let state = Arc::new(State::new(model.to_owned(), report));
-        let server = match Server::start(Arc::clone(&state)) {
+        let asked = Arc::clone(&state);
+        let answers = move |request: &_, path: &str| routes::answer(&asked, request, path);
+        let server = match Server::start(LONGEST_BODY, Box::new(answers)) {
             Ok(server) => {
                 let entry = watch_page::entry(server.address());
                 directory.write(NAME, entry.as_bytes())?;

@@ -1,4 +1,4 @@
-//! Who may ask, and what is answered.
+//! What is answered.
 
 use std::fs;
 use std::sync::Arc;
@@ -10,40 +10,16 @@ use linkdyn_engine::analysis::Control;
 use linkdyn_picture::watch_page;
 use serde_json::{Map, Value, json};
 
-use super::http::{Answer, Request};
 use super::state::{ShownRun, State};
 use crate::cli::open::refuse;
+use crate::cli::serve::http::{Answer, Request};
 
 const JSON: &str = "application/json";
 const HTML: &str = "text/html; charset=utf-8";
 const TEXT: &str = "text/plain; charset=utf-8";
 
-/// What is served, and what one has to know to be let in.
-#[derive(Debug)]
-pub struct Door {
-    /// Address and port, as a browser names them.
-    pub host: String,
-    pub token: String,
-    pub state: Arc<State>,
-}
-
-impl Door {
-    /// The path below the token, for who asks this server and not another name of it, has the token, and is no page from elsewhere.
-    fn enter<'r>(&self, request: &'r Request) -> Option<&'r str> {
-        let own = format!("http://{}", self.host);
-        let is_own = request.origin.as_ref().is_none_or(|origin| *origin == own);
-        let path = request.path.strip_prefix('/')?;
-        let path = path.strip_prefix(self.token.as_str())?.strip_prefix('/')?;
-        (request.host == self.host && is_own).then_some(path)
-    }
-}
-
-/// The answer to a request.
-pub fn answer(door: &Door, request: &Request) -> Answer {
-    let Some(path) = door.enter(request) else {
-        return Answer::bare(403);
-    };
-    let state = &*door.state;
+/// The answer to a request of a path.
+pub fn answer(state: &State, request: &Request, path: &str) -> Answer {
     match (request.method.as_str(), path) {
         ("GET", "") => Answer::new(200, HTML, watch_page::page()),
         ("GET", "here.js") => Answer {

@@ -45,14 +45,14 @@ const PARTS: &[Part] = &[
     part("output", &["crates/output/src"], "rs", 2_080),
     part("picture", &["crates/picture/src"], "rs", 9_420),
     part("pages", &["crates/picture/src"], "js", 4_545),
-    part("library", &["src"], "rs", 5_605),
-    part("of it the command", &["src/cli"], "rs", 4_125),
+    part("library", &["src"], "rs", 5_740),
+    part("of it the command", &["src/cli"], "rs", 4_260),
     part("web", &["crates/web/src", "web/bind/src"], "rs", 480),
-    part("editor", &["web/src"], "ts", 1_500),
+    part("editor", &["web/src"], "ts", 1_640),
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_330),
     part("python package", &["python/linkdyn"], "py", 1_950),
-    part("tests", &["tests"], "rs", 46_030),
+    part("tests", &["tests"], "rs", 46_140),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

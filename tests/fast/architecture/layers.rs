@@ -191,6 +191,7 @@ const KNOW_THE_MODEL: &[&str] = &[
     "analysis/family/mechanisms.rs",
     "analysis/family/mod.rs",
     "analysis/hand.rs",
+    "analysis/hand/",
     "analysis/modes.rs",
     // Named numbers, whose arithmetic is the model's.
     "analysis/responses/",

@@ -1,4 +1,4 @@
-//! Serves the page on this computer: an address that only who was given it knows.
+//! Serves a page on this computer: at an address that only who was given it knows.
 
 use std::hash::{BuildHasher, RandomState};
 use std::io::{self, Read};
@@ -8,9 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use super::http::{self, Answer};
-use super::routes::{Door, answer};
-use super::state::State;
+use super::http::{self, Answer, Request};
 
 /// Connections at a time: a page has a few.
 const MOST: usize = 32;
@@ -18,6 +16,33 @@ const MOST: usize = 32;
 const REST: u64 = 1 << 20;
 /// How long a connection may say nothing.
 const SILENCE: Duration = Duration::from_secs(10);
+
+/// What is served, and what one has to know to be let in.
+struct Door {
+    /// Address and port, as a browser names them.
+    host: String,
+    token: String,
+    /// Longest body of a request \[bytes\].
+    most: usize,
+    answers: Box<Answers>,
+}
+
+/// The answer to a request, and to its path below the token.
+pub type Answers = dyn Fn(&Request, &str) -> Answer + Send + Sync;
+
+impl Door {
+    /// The answer for who asks this server and not another name of it, has the token, and is no page from elsewhere.
+    fn answer(&self, request: &Request) -> Answer {
+        let own = format!("http://{}", self.host);
+        let is_own = request.origin.as_ref().is_none_or(|origin| *origin == own);
+        let path = request.path.strip_prefix('/');
+        let path = path.and_then(|path| path.strip_prefix(self.token.as_str())?.strip_prefix('/'));
+        match path {
+            Some(path) if request.host == self.host && is_own => (self.answers)(request, path),
+            Some(_) | None => Answer::bare(403),
+        }
+    }
+}
 
 /// A server, until it is dropped.
 #[derive(Debug)]
@@ -28,21 +53,26 @@ pub struct Server {
 }
 
 impl Server {
-    /// Listens on a free port of the loopback.
+    /// Listens on a free port of the loopback, for requests with bodies of so many bytes at most.
     ///
     /// # Errors
     /// Those of the system.
-    pub fn start(state: Arc<State>) -> io::Result<Self> {
+    pub fn start(most: usize, answers: Box<Answers>) -> io::Result<Self> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?;
         let at = listener.local_addr()?;
         let host = at.to_string();
         let token = token();
         let address = format!("http://{host}/{token}/");
         let ends = Arc::new(AtomicBool::new(false));
-        let door = Arc::new(Door { host, token, state });
+        let door = Arc::new(Door {
+            host,
+            token,
+            most,
+            answers,
+        });
         let over = Arc::clone(&ends);
         thread::Builder::new()
-            .name("live page".into())
+            .name("page".into())
             .spawn(move || serve(&listener, &door, &over))?;
         Ok(Server { at, address, ends })
     }
@@ -95,8 +125,8 @@ fn talk(mut stream: TcpStream, door: &Door) -> io::Result<()> {
     stream.set_read_timeout(Some(SILENCE))?;
     stream.set_write_timeout(Some(SILENCE))?;
     stream.set_nodelay(true)?;
-    match http::read(&mut stream) {
-        Ok(request) => answer(door, &request).send(&mut stream),
+    match http::read(&mut stream, door.most) {
+        Ok(request) => door.answer(&request).send(&mut stream),
         Err(Some(status)) => {
             Answer::bare(status).send(&mut stream)?;
             stream.shutdown(Shutdown::Write)?;

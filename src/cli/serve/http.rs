@@ -1,11 +1,10 @@
-//! The part of HTTP/1.1 (RFC 9112) that the live page needs. Each connection carries one request.
+//! The part of HTTP/1.1 (RFC 9112) that a page needs. Each connection carries one request.
 
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
 
-/// Longest head and longest body of a request \[bytes\].
+/// Longest head of a request \[bytes\].
 const LONGEST_HEAD: usize = 16 * 1024;
-const LONGEST_BODY: usize = 64 * 1024;
 
 /// What is asked.
 #[derive(Debug, Default)]
@@ -84,11 +83,11 @@ fn reason(status: u16) -> &'static str {
     }
 }
 
-/// Reads a request.
+/// Reads a request with a body of so many bytes at most.
 ///
 /// # Errors
 /// The status of the answer, or `None` if the connection has ended.
-pub fn read(stream: &mut impl Read) -> Result<Request, Option<u16>> {
+pub fn read(stream: &mut impl Read, most: usize) -> Result<Request, Option<u16>> {
     let mut bytes = Vec::new();
     let mut piece = [0; 4096];
     let end = loop {
@@ -108,8 +107,8 @@ pub fn read(stream: &mut impl Read) -> Result<Request, Option<u16>> {
     let body = bytes.split_off(end + 4);
     let head = std::str::from_utf8(&bytes[..end]).map_err(|_| Some(400))?;
     let (mut request, length) = head_of(head)?;
-    if length > LONGEST_BODY || body.len() > length {
-        return Err(Some(if length > LONGEST_BODY { 413 } else { 400 }));
+    if length > most || body.len() > length {
+        return Err(Some(if length > most { 413 } else { 400 }));
     }
     let rest = length - body.len();
     request.body = body;
@@ -157,7 +156,7 @@ mod tests {
     use super::*;
 
     fn read_text(text: &str) -> Result<Request, Option<u16>> {
-        read(&mut text.as_bytes())
+        read(&mut text.as_bytes(), 1000)
     }
 
     #[test]
