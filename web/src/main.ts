@@ -1,4 +1,5 @@
 // The editor: the text is the model; the drawing shows it and changes it.
+import { Ask, type Curve } from "./ask";
 import { Canvas, type Gesture, type Thing } from "./canvas";
 import { Document } from "./document";
 import { drawn, element, id } from "./element";
@@ -6,7 +7,7 @@ import { Engine, Interrupted } from "./engine";
 import { Frame } from "./frame";
 import { icons } from "./icons";
 import type { Bundled, End, Faulty, Moved, Place, Pulled, Read, Report, Shown } from "./linkdyn";
-import { Ask, Findings, Parameters, Selected, type Shop } from "./panels";
+import { Findings, Parameters, Selected, type Shop } from "./panels";
 import { bytesOf, Files, give, gunzipped, packed, remember, remembered, Served, unpacked } from "./share";
 import { Sketch } from "./sketch";
 import { tools as makeTools, type Desk } from "./tools";
@@ -66,6 +67,7 @@ const start = async (): Promise<void> => {
     count("findings", counts.faults || counts.warnings, counts.faults > 0);
     parameters.show(last.parameters);
     selected.show();
+    ask.show();
     id<HTMLInputElement>("title").value = last.name;
     document.title = `${last.name} – ${words.title}`;
     id("hint").hidden = !last.ok || (frame.report?.mechanism.bodies.length ?? 0) > 1;
@@ -248,11 +250,15 @@ const start = async (): Promise<void> => {
     },
     typed: (name, text) => engine.ask("typed", [name, text]),
     show: (from, to) => { choosePanel("text"); doc.show(from, to); },
-    ask: (name) => engine.ask(name, [], 60),
     seek: (time) => { const report = frame.report; if (report) { report.player.pause(); let row = 0; while (row + 1 < report.rows && report.time[row + 1]! <= time) row++; report.player.seek(row); } },
   };
   const parameters = new Parameters(shop), selected = new Selected(shop), findings = new Findings(shop);
-  new Ask(shop);
+  const ask = new Ask({
+    report: () => frame.report, knobs: () => last?.parameters ?? [],
+    sample: (name, values, column, across) => engine.ask<Curve[]>("sample", [doc.text, name, values, column, across, LIVE_SECONDS], 60),
+    set: async (values) => { shop.tune(values); await shop.tuned(); },
+    words: (name) => engine.ask(name, [doc.text], 60),
+  });
   canvas.onSelect = (thing) => { selected.show(thing); if (thing) choosePanel("selected"); };
 
   // Panels.

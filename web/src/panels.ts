@@ -14,7 +14,6 @@ export type Shop = {
   typed(name: string, text: string): Promise<number | { faults: { text: string }[] }>;
   show(from: number, to: number): void;
   remove(thing: Thing): void;
-  ask(name: "check" | "statics" | "modes" | "accuracy"): Promise<string>;
   seek(time: number): void;
 };
 
@@ -196,17 +195,3 @@ const placed = (text: string, warning: string): { from: number; to: number } | n
   for (let k = path?.length ?? 0; k > 1; k--) { const node = at(text, path!.slice(0, k)); if (node) return { from: node.offset, to: node.offset + node.length }; }
   return null;
 };
-
-// Questions whose answers are words.
-export class Ask {
-  #root = id("ask");
-  constructor(shop: Shop) {
-    const answer = element("pre", { "aria-live": "polite" });
-    const QUESTIONS = [["check", "Mobility and loops"], ["statics", "Statics"], ["modes", "Modes"], ["accuracy", "Accuracy"]] as const;
-    const row = element("div", { className: "row" }, ...QUESTIONS.map(([name, text]) => element("button", { type: "button", text, on: { click: async () => {
-      answer.textContent = words.computing;
-      try { answer.textContent = await shop.ask(name); } catch (why) { answer.textContent = (why as Error).message; }
-    } } })));
-    this.#root.replaceChildren(row, answer);
-  }
-}

@@ -54,4 +54,14 @@ export const words = {
   needsPoint: "Click a point, or near one.",
   needsTwo: "Start and end on different bodies.",
   keys: "Keys",
+  ask: {
+    check: "Mobility and loops", statics: "Statics", modes: "Modes", accuracy: "Accuracy",
+    column: "column", parameter: "parameter", measure: "of it", goal: "is to be", seek: "Find the value", sweep: "Sweep the parameter",
+    nothing: "A model with a motion and a parameter is needed.",
+    number: (label: string) => `Type the wanted value, a number in ${label}.`,
+    none: (name: string) => `With other values of ${name} there is no motion to the end.`,
+    unreached: (what: string, low: string, high: string, name: string, least: number, most: number, unit: string) => `${what} is from ${low} to ${high} for ${name} from ${least} to ${most} ${unit}.`,
+    found: (name: string, value: number, unit: string, what: string, reached: string) => `${name} = ${value} ${unit}: ${what} is ${reached}.`,
+    lost: (lost: number, all: number) => `${lost} of ${all} values have no motion to the end.`,
+  },
 };

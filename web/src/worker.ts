@@ -47,10 +47,27 @@ const answers: Record<string, (...args: any[]) => unknown> = {
     const set = JSON.parse(desk.set(JSON.stringify(values))); return set.text === undefined ? set : shown(set.text, seconds);
   },
   typed: (name: string, text: string) => JSON.parse(desk.typed(name, text)),
-  check: () => desk.checkText(),
-  statics: () => { const picture = desk.statics(); const { facts, values, failure } = picture; picture.free(); return { facts, values, failure }; },
-  modes: () => desk.modesText(),
-  accuracy: () => desk.accuracyText(),
+  // A column over another, for values of a parameter.
+  sample: (text: string, name: string, list: number[], column: string, across: string, seconds: number) => list.map((value) => {
+    const own = new Desk(), empty = new Float64Array();
+    own.read(text, "sketch");
+    const set = JSON.parse(own.set(JSON.stringify({ [name]: value })));
+    if (set.text === undefined || !JSON.parse(own.read(set.text, "sketch")).ok) { own.free(); return { value, across: empty, values: empty, failure: set.faults?.[0]?.text ?? "faults" }; }
+    const { facts, values, failure } = pictured(own, seconds), { columns, rows } = JSON.parse(facts || "{\"columns\":[],\"rows\":0}");
+    own.free();
+    const of = (wanted: string) => {
+      const at = (own: string) => columns.findIndex(([head]: [string]) => head === own), k = at(wanted), cut = (k: number) => values.slice(k * rows, (k + 1) * rows);
+      if (k >= 0) return cut(k);
+      // Sizes of forces are made of their components.
+      const [fx, fy] = ["fx", "fy"].map((part) => at(wanted.replace(/f$/, part)));
+      return fx! >= 0 && fy! >= 0 ? cut(fx!).map((x, row) => Math.hypot(x, values[fy! * rows + row]!)) : empty;
+    };
+    return { value, across: of(across), values: of(column), failure };
+  }),
+  check: (text: string) => based(text).checkText(),
+  statics: (text: string) => based(text).staticsText(),
+  modes: (text: string) => based(text).modesText(),
+  accuracy: (text: string) => based(text).accuracyText(),
   summary: () => desk.summary(),
   csv: () => desk.csv(),
   page: () => desk.reportPage(),

@@ -5,7 +5,7 @@ use std::time::Duration;
 use linkdyn_ask::accuracy::Accuracy;
 use linkdyn_ask::check::Check;
 use linkdyn_ask::modes::Modes;
-use linkdyn_ask::run::{Run, typed, with_values};
+use linkdyn_ask::run::{self, Run, typed, with_values};
 use linkdyn_ask::text::Page;
 use linkdyn_ask::{ModelFile, Question, Unanswered};
 use linkdyn_engine::analysis::hand::Hand;
@@ -59,14 +59,6 @@ impl Desk {
         self.drawn(|file| picture::run(file, &limited(seconds)))
     }
 
-    /// The equilibrium of the model.
-    pub fn statics(&mut self) -> Picture {
-        self.drawn(|file| {
-            let file = file.with(&["analysis={\"type\":\"statics\"}".to_owned()])?;
-            Ok((file.clone(), Run.answer(&file, &Control::default())?))
-        })
-    }
-
     /// The file's text with other values of parameters, in the file's units: JSON with `text`, or with `faults`.
     pub fn set(&self, values: &str) -> String {
         let values: Map<String, Value> = serde_json::from_str(values).unwrap_or_default();
@@ -92,6 +84,16 @@ impl Desk {
     #[wasm_bindgen(js_name = checkText)]
     pub fn check_text(&self) -> String {
         self.words(|file| Ok(Check.answer(file, &Control::default())?.text()))
+    }
+
+    /// The equilibrium, in the words of the command.
+    #[wasm_bindgen(js_name = staticsText)]
+    pub fn statics_text(&self) -> String {
+        self.words(|file| {
+            let file = file.with(&["analysis={\"type\":\"statics\"}".to_owned()])?;
+            let outcome = Run.answer(&file, &Control::default())?;
+            Ok(run::text(&file, &outcome))
+        })
     }
 
     /// Modes, in the words of the command.

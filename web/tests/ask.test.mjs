@@ -1,0 +1,52 @@
+// Parameters: sliders, goals, sweeps; words of the engine.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, model, open } from "./browser.mjs";
+
+after(close);
+
+test("a slider changes its number in the text, as one step", async () => {
+  const it = await open(), text = model("four-bar");
+  await it.load(text);
+  await it.page.getByRole("tab", { name: "Parameters" }).click();
+  const slider = it.page.getByLabel("rocker", { exact: true });
+  await slider.focus();
+  for (let k = 0; k < 4; k++) await it.key("ArrowRight");
+  await it.idle();
+  await it.page.waitForTimeout(400);
+  const { rocker } = JSON.parse(await it.text()).parameters;
+  assert.match(rocker, /^20[1-9].* mm$/);
+  const field = it.page.getByLabel("base, value with or without a unit");
+  await field.fill("31 cm");
+  await field.press("Enter");
+  await it.idle();
+  await it.page.waitForTimeout(300);
+  assert.equal(JSON.parse(await it.text()).parameters.base, "310 mm");
+  await it.editor(() => { while (window.editor.doc.canUndo) window.editor.doc.undo(); });
+  assert.equal(await it.text(), text);
+  assert.deepEqual(it.faults, []);
+});
+
+test("a goal is reached, and one that can't be is told with its range", async () => {
+  const it = await open();
+  await it.load(model("slider-crank"));
+  await it.page.getByRole("tab", { name: "Ask" }).click();
+  const column = (await it.editor(() => window.editor.frame.report.columns.map(({ name }) => name))).find((name) => /^piston\.x$/.test(name)) ?? "piston.x";
+  await it.page.getByLabel("column").selectOption(column);
+  await it.page.getByLabel("parameter").selectOption("crank");
+  await it.page.getByLabel("of it").selectOption("range");
+  const seek = it.page.getByRole("button", { name: "Find the value" }), answer = it.page.locator("#ask pre");
+  await it.page.getByLabel("is to be").fill("80");
+  await seek.click();
+  await it.page.waitForFunction(() => document.querySelector("#ask pre").textContent.startsWith("crank"));
+  // The stroke of a slider-crank in line is twice its crank.
+  assert.match(await answer.textContent(), /crank = (40(\.0+\d*)?|39\.9+\d*) mm/);
+  await it.page.getByLabel("is to be").fill("9000");
+  await seek.click();
+  await it.page.waitForFunction(() => document.querySelector("#ask pre").textContent.includes("is from"));
+  await it.page.getByRole("button", { name: "Sweep the parameter" }).click();
+  await it.page.waitForFunction(() => document.querySelectorAll("#ask svg path").length === 7);
+  await it.page.getByRole("button", { name: "Mobility and loops" }).click();
+  await it.page.waitForFunction(() => document.querySelector("#ask pre").textContent.includes("mobility"));
+  assert.deepEqual(it.faults, []);
+});
