@@ -121,15 +121,18 @@ const ticks = (low: number, high: number): number[] => {
 // A family of curves, from pale to strong, each with its value at its end.
 const chart = (curves: Curve[], [fx, across]: [number, string], [fy, up]: [number, string], of: string): SVGElement => {
   const [width, height, left, right, top, bottom] = [360, 240, 52, 44, 24, 36];
-  const xs = curves.flatMap(({ across: own }) => Array.from(own, (x) => x * fx)).filter(Number.isFinite), ys = curves.flatMap(({ values }) => Array.from(values, (y) => y * fy)).filter(Number.isFinite);
+  // Curves that end early have peaks that would flatten all others.
+  const whole = curves.filter(({ failure }) => !failure), scale = whole.length ? whole : curves;
+  const xs = curves.flatMap(({ across: own }) => Array.from(own, (x) => x * fx)).filter(Number.isFinite), ys = scale.flatMap(({ values }) => Array.from(values, (y) => y * fy)).filter(Number.isFinite);
   const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const x = (value: number) => left + (value - x0) / (x1 - x0 || 1) * (width - left - right), y = (value: number) => height - bottom - (value - y0) / (y1 - y0 || 1) * (height - top - bottom);
+  const x = (value: number) => left + (value - x0) / (x1 - x0 || 1) * (width - left - right), y = (value: number) => Math.min(Math.max(height - bottom - (value - y0) / (y1 - y0 || 1) * (height - top - bottom), top), height - bottom);
+  const end = ({ values }: Curve) => y(values[values.length - 1]! * fy);
   const text = (at: number, up: number, words: string, anchor: string) => svg("text", { x: at, y: up, "text-anchor": anchor, "font-size": 11, fill: "var(--muted)" }, words);
   const path = ({ across: own, values }: Curve) => Array.from(own, (value, k) => Number.isFinite(values[k]!) ? `${k && Number.isFinite(values[k - 1]!) ? "L" : "M"}${x(value * fx).toFixed(1)} ${y(values[k]! * fy).toFixed(1)}` : "").join("");
   return svg("svg", { viewBox: `0 0 ${width} ${height}`, width: "100%", role: "img", "aria-label": `${up} over ${across}, for values of ${of}` },
     ...ticks(x0, x1).flatMap((value) => [svg("line", { x1: x(value), x2: x(value), y1: top, y2: height - bottom, stroke: "var(--grid)" }), text(x(value), height - bottom + 14, String(value), "middle")]),
     ...ticks(y0, y1).flatMap((value) => [svg("line", { x1: left, x2: width - right, y1: y(value), y2: y(value), stroke: "var(--grid)" }), text(left - 5, y(value) + 4, String(value), "end")]),
     ...curves.map((curve, k) => svg("path", { d: path(curve), fill: "none", stroke: "var(--accent)", "stroke-width": 1.8, "stroke-opacity": 0.25 + 0.75 * (k + 1) / curves.length })),
-    ...curves.map((curve) => text(width - right + 4, y(curve.values[curve.values.length - 1]! * fy) + 4, String(Number(curve.value.toPrecision(4))), "start")),
+    ...curves.filter((curve, k) => curves.slice(0, k).every((other) => Math.abs(end(other) - end(curve)) > 11)).map((curve) => text(width - right + 4, end(curve) + 4, String(Number(curve.value.toPrecision(4))), "start")),
     text(left, 14, up, "start"), text(width - 2, 14, of, "end"), text((left + width - right) / 2, height - 5, across, "middle"));
 };

@@ -154,19 +154,19 @@ const start = async (): Promise<void> => {
     const ends = canvas.together(end).map(name);
     report.player.pause();
     report.stage.view = report.stage.shown;
-    const { row } = report.player, time = report.time[row] ?? 0, begin = report.mechanism.bodies.slice(1).flatMap((_, k) => report.shapes.pose(k + 1, 0) ?? [0, 0, 0]);
+    const time = report.time[report.player.row] ?? 0, begin = report.mechanism.bodies.slice(1).flatMap((_, k) => report.shapes.pose(k + 1, 0) ?? [0, 0, 0]);
     let isFlipped = false;
     let asked: Promise<unknown> = Promise.resolve(), moved = false;
     const to = (place: Place, event: PointerEvent): Place => { const grain = canvas.grain, [x, y] = report.stage.from(place); return event.altKey ? [x, y] : [Math.round(x / grain) * grain, Math.round(y / grain) * grain]; };
     const go = (target: Place, isLast: boolean) => {
-      const question = [before, list, begin, time, ends, target, canvas.grain, isLast ? SECONDS : LIVE_SECONDS];
+      const question = [before, list, begin, time, ends, target, canvas.grain, isLast ? SECONDS : LIVE_SECONDS, isLast];
       return (isLast ? engine.ask<Moved>("move", question) : engine.live<Moved>("move", question)).then(async (answer) => {
         if (!answer || doc.held === null) return;
         if (answer.faults) { say(answer.faults[0]!.text, { bad: true }); return; }
         doc.live(answer.text);
         await took(answer, true);
         // Where the text alone leads to another branch, that is said.
-        if (answer.picture) isFlipped = flipped(row, answer) || (isFlipped && (say(""), false));
+        if (answer.picture) isFlipped = flipped(time, answer) || (isFlipped && (say(""), false));
       }).catch(failed);
     };
     return {
@@ -186,11 +186,11 @@ const start = async (): Promise<void> => {
   };
 
   // Whether the bodies at a row are on another branch than the one that continues what stood there; that is said, and can be mended.
-  const flipped = (row: number, { near, begin }: Moved): boolean => {
-    const report = frame.report!, turn = (angle: number) => Math.abs(angle - 2 * Math.PI * Math.round(angle / 2 / Math.PI));
+  const flipped = (time: number, { near, begin }: Moved): boolean => {
+    const report = frame.report!, row = report.time.indexOf(time), turn = (angle: number) => Math.abs(angle - 2 * Math.PI * Math.round(angle / 2 / Math.PI));
     const { mobility } = report.summary;
     // Where freedom is left, the start is wherever the text has it.
-    if (!near || row >= report.rows || !mobility || mobility.rank !== mobility.drivers) return false;
+    if (!near || row < 0 || row >= report.rows || !mobility || mobility.rank !== mobility.drivers) return false;
     const size = Math.max(...near.map((own, k) => k % 3 === 2 ? 0 : Math.abs(own)), 1e-9);
     const off = report.mechanism.bodies.slice(1).map((_, k) => {
       const pose = report.shapes.pose(k + 1, row);

@@ -3,17 +3,19 @@ import { initSync, Desk, lastPanic, models, modelText, schema, version } from ".
 
 let desk: Desk, base: Desk | null = null, baseText = "";
 
-const pictured = (own: Desk, seconds: number) => {
-  const picture = own.run(seconds);
+// Instants that are enough to draw while a hand moves.
+const FEW = 361, ALL = 4e9;
+const pictured = (own: Desk, seconds: number, outputs = ALL) => {
+  const picture = own.run(seconds, outputs);
   const { facts, values, failure } = picture;
   picture.free();
   return { facts, values, failure };
 };
 let known = "";
-const shown = (text: string, seconds: number) => {
+const shown = (text: string, seconds: number, outputs = ALL) => {
   known = text;
   const began = performance.now(), read = JSON.parse(desk.read(text, "sketch"));
-  const picture = read.ok ? pictured(desk, seconds) : null;
+  const picture = read.ok ? pictured(desk, seconds, outputs) : null;
   return { text, read, picture, milliseconds: performance.now() - began };
 };
 
@@ -28,15 +30,15 @@ const based = (text: string): Desk => {
 };
 
 const answers: Record<string, (...args: any[]) => unknown> = {
-  show: shown,
+  show: (text: string, seconds: number) => shown(text, seconds),
   // A hand takes hold of the model of a text, at poses.
   hold: (text: string, poses: number[]) => JSON.parse(based(text).hold(new Float64Array(poses))),
   pull: (text: string, body: number, local: number[], target: number[]) => JSON.parse(based(text).pull(body, new Float64Array(local), new Float64Array(target))),
   // Moves points of bodies that stay; then the model of the new text is shown.
-  move: (text: string, poses: number[], start: number[], time: number, ends: [string, string][], target: number[], grain: number, seconds: number) => {
+  move: (text: string, poses: number[], start: number[], time: number, ends: [string, string][], target: number[], grain: number, seconds: number, isLast: boolean) => {
     const moved = JSON.parse(based(text).moved(new Float64Array(poses), JSON.stringify(ends), new Float64Array(target), grain));
     if (moved.faults) return moved;
-    const made = shown(moved.text, seconds);
+    const made = shown(moved.text, seconds, isLast ? ALL : FEW);
     // The assemblies that continue what stood there, at that time and at the start.
     const [near, begin] = made.picture ? [[moved.poses, time], [start, 0]].map(([own, at]) => JSON.parse(desk.beside(new Float64Array(own), at))) : [null, null];
     return { ...moved, ...made, near, begin };
@@ -44,7 +46,7 @@ const answers: Record<string, (...args: any[]) => unknown> = {
   // Parameters with other values; then the model of the new text is shown.
   tune: (text: string, values: object, seconds: number) => {
     if (text !== known) desk.read(text, "sketch");
-    const set = JSON.parse(desk.set(JSON.stringify(values))); return set.text === undefined ? set : shown(set.text, seconds);
+    const set = JSON.parse(desk.set(JSON.stringify(values))); return set.text === undefined ? set : shown(set.text, seconds, FEW);
   },
   typed: (name: string, text: string) => JSON.parse(desk.typed(name, text)),
   // A column over another, for values of a parameter.

@@ -46,7 +46,7 @@ test("numbers are those of the command", { skip: existsSync(command) ? false : `
     const desk = new Desk(), read = JSON.parse(desk.read(text, name));
     if (ours === null) { desk.free(); continue; }
     assert.ok(read.ok, `${name} ${kind}: ${JSON.stringify(read.faults)}`);
-    const picture = desk.run(60), csv = desk.csv();
+    const picture = desk.run(60, 4e9), csv = desk.csv();
     picture.free(); desk.free();
     sums.all++;
     if (csv === ours) { sums.same++; continue; }

@@ -54,9 +54,12 @@ impl Desk {
         told.to_string()
     }
 
-    /// Runs the model's analysis, for so many seconds at most; a model without one is drawn as it is assembled.
-    pub fn run(&mut self, seconds: f64) -> Picture {
-        self.drawn(|file| picture::run(file, &limited(seconds)))
+    /// Runs the model's analysis, for so many seconds and with so many outputs at most; a model without one is drawn as it is assembled.
+    pub fn run(&mut self, seconds: f64, outputs: usize) -> Picture {
+        self.drawn(|file| {
+            let fewer = picture::thinned(file, outputs);
+            picture::run(fewer.as_ref().unwrap_or(file), &limited(seconds))
+        })
     }
 
     /// The file's text with other values of parameters, in the file's units: JSON with `text`, or with `faults`.
