@@ -11,6 +11,7 @@ import { Findings, Parameters, Selected, type Shop } from "./panels";
 import { bytesOf, Files, give, gunzipped, packed, remember, remembered, Served, unpacked } from "./share";
 import { Sketch } from "./sketch";
 import { tools as makeTools, type Desk } from "./tools";
+import { Underlay } from "./underlay";
 import { words } from "./words";
 import frameStyle from "./frame.css";
 
@@ -214,7 +215,30 @@ const start = async (): Promise<void> => {
     canvas.select(null);
     write(own.text);
   };
+  // Lengths and angles that are typed while a line is drawn.
+  const typing = id("typing"), typingField = typing.querySelector("input")!;
+  let taken: ((text: string) => void) | null = null;
+  const askFor = (label: string, take: (text: string) => void): void => {
+    typing.querySelector("span")!.textContent = label;
+    typing.hidden = false;
+    typingField.value = "";
+    taken = take;
+    typingField.focus();
+  };
+  const untyped = (): void => { if (!typing.hidden) { typing.hidden = true; taken = null; canvas.report?.stage.canvas.focus({ preventScroll: true }); } };
+  typingField.addEventListener("keydown", ({ key }) => {
+    if (key === "Escape") { untyped(); canvas.cancel(); choose("pose"); }
+    if (key === "Enter" && taken && typingField.value.trim()) { const take = taken; untyped(); take(typingField.value); }
+  });
+  const lengthName = (): string => { const units = (JSON.parse(doc.text || "{}") as { units?: { length?: string } }).units; return units?.length ?? "m"; };
+  // Numbers with a decimal point or comma, apart by a comma and a blank, a semicolon or a blank.
+  const numbers = (text: string): number[] => text.trim().split(/[;\s]+/).map((own) => Number(own.replace(/,$/, "").replace(",", ".")));
   const desk: Desk = {
+    typed: (take) => askFor(words.typeLength(lengthName()), (text) => {
+      const [length, angle] = numbers(text);
+      if (length! > 0 && (angle === undefined || Number.isFinite(angle))) take(length! * (last?.length ?? 1), angle === undefined ? null : angle * Math.PI / 180);
+    }),
+    untyped,
     canvas, sketch, write, say, pose, shape,
     removeAt: (at) => { const thing = canvas.thing(at); if (thing) remove(thing); },
   };
@@ -325,6 +349,21 @@ const start = async (): Promise<void> => {
   id("files").append(button(words.file.new, words.file.new, () => { files.forget(); opened(NEW); }), button(words.file.gallery, "Bundled mechanisms", guarded(gallery)), button(words.file.open, "Open a file (Ctrl+O)", guarded(open)),
     button(words.file.save, "Save the file (Ctrl+S)", guarded(save)), undo, redo, button(words.file.link, "A link with the whole model in it", guarded(link)), exported);
 
+  // A picture below.
+  const underlay = new Underlay(canvas), picture = element("input", { type: "file", accept: "image/*", hidden: "", "aria-label": words.underlay.hint });
+  const below = button(words.underlay.open, words.underlay.hint, () => { if (underlay.isThere) { underlay.remove(); below.textContent = words.underlay.open; } else picture.click(); });
+  picture.addEventListener("change", guarded(async () => {
+    const file = picture.files?.[0];
+    picture.value = "";
+    if (!file) return;
+    await underlay.take(file);
+    below.textContent = words.underlay.remove;
+    say(words.underlay.scale(lengthName()), { stays: true });
+    choose("pose");
+    canvas.tool = underlay.tool((take) => askFor(words.underlay.distance(lengthName()), (text) => { const [length] = numbers(text); if (length! > 0) take(length! * (last?.length ?? 1)); }), () => { say(""); choose("pose"); });
+  }));
+  id("files").append(below, picture);
+
   // Light or dark, keys.
   const system = matchMedia("(prefers-color-scheme: dark)");
   const dark = () => { const { theme } = document.documentElement.dataset; return theme ? theme === "dark" : system.matches; };
@@ -359,6 +398,7 @@ const start = async (): Promise<void> => {
   addEventListener("keydown", pressed, { capture: true });
   frame.onMade = (report, window) => {
     canvas.attach(report, window);
+    underlay.show();
     window.addEventListener("keydown", pressed, { capture: true });
     const { theme } = document.documentElement.dataset;
     if (theme) report.theme.chosen = theme;

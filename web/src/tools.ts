@@ -6,6 +6,9 @@ import { words } from "./words";
 
 export type Desk = {
   canvas: Canvas;
+  /** Asks for a length and an angle while a line is drawn; what is typed ends it. */
+  typed(take: (length: number, angle: number | null) => void): void;
+  untyped(): void;
   /** The model as a sketch, at the start of its motion. */
   sketch(): Sketch;
   write(text: string): void;
@@ -51,21 +54,30 @@ export const tools = (desk: Desk): Record<string, Tool> => {
   const stroke = (act: (from: Target, to: Target, event: PointerEvent) => void, text = words2): Tool => {
     let first: Target | null = null;
     const show = (from: Target, to: Target) => { drawn = (state) => line(state, from.at, to.at, text(from.at, to.at)); canvas.draw(); };
-    const ended = (from: Target, to: Target, event: PointerEvent) => { first = null; done(); act(from, to, event); };
+    const ended = (from: Target, to: Target, event: PointerEvent) => { first = null; desk.untyped(); done(); act(from, to, event); };
+    // Begun by a click, its length and angle may be typed instead of the second one; without an angle it goes towards the pointer.
+    const begun = (from: Target, event: PointerEvent) => {
+      first = from;
+      show(from, from);
+      desk.typed((length, angle) => {
+        const [x, y] = canvas.pointer ? canvas.report!.stage.from(canvas.pointer) : [from.at[0] + 1, from.at[1]], turned = angle ?? Math.atan2(y - from.at[1], x - from.at[0]);
+        ended(from, { at: [from.at[0] + length * Math.cos(turned), from.at[1] + length * Math.sin(turned)], end: null }, event);
+      });
+    };
     return {
       cursor: "crosshair", over,
       hover: (at, event) => { if (first) show(first, canvas.snap(at, first.at, event.altKey)); else canvas.draw(); },
       down: (at, event) => {
         if (first) {
           const from = first;
-          return { move: (to) => show(from, canvas.snap(to, from.at)), end: (to, last) => ended(from, canvas.snap(to, from.at, last.altKey), last), cancel: () => { first = null; done(); } };
+          return { move: (to) => show(from, canvas.snap(to, from.at)), end: (to, last) => ended(from, canvas.snap(to, from.at, last.altKey), last), cancel: () => { first = null; desk.untyped(); done(); } };
         }
         const from = canvas.snap(at, null, event.altKey);
         let moved = false;
         return {
           move: (to) => { moved = true; show(from, canvas.snap(to, from.at)); },
-          end: (to, last) => { if (moved) ended(from, canvas.snap(to, from.at, last.altKey), last); else { first = from; show(from, from); } },
-          cancel: () => { first = null; done(); },
+          end: (to, last) => { if (moved) ended(from, canvas.snap(to, from.at, last.altKey), last); else begun(from, last); },
+          cancel: () => { first = null; desk.untyped(); done(); },
         };
       },
     };

@@ -75,3 +75,33 @@ test("deleting takes along what hangs on it, and nothing else", async () => {
   assert.equal(await it.text(), before);
   assert.deepEqual(it.faults, []);
 });
+
+test("lengths and angles are typed while a bar is drawn", async () => {
+  const it = await open();
+  await it.key("b");
+  await it.click([300, 400]);
+  await it.page.locator("#typing input").fill("120 30");
+  await it.key("Enter");
+  await it.idle();
+  const { bar1 } = JSON.parse(await it.text()).bodies, [[ax, ay], [bx, by]] = Object.values(bar1.points);
+  assert.ok(Math.abs(Math.hypot(bx - ax, by - ay) - 120) < 0.5, JSON.stringify(bar1));
+  assert.ok(Math.abs(Math.atan2(by - ay, bx - ax) * 180 / Math.PI - 30) < 0.4);
+  assert.deepEqual(it.faults, []);
+});
+
+test("a picture lies below, scaled by two of its points", async () => {
+  const it = await open();
+  await it.load(JSON.stringify({ format: "linkdyn/1", units: { length: "mm" }, bodies: { ground: { points: { O: [0, 0] } }, bar: { points: { A: [0, 0], B: [50, 0] } } }, joints: {} }));
+  const dots = Buffer.from('iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAIAAAB7QOjdAAAADUlEQVR4nGP4zwAE/wEHAAH/4iOeWQAAAABJRU5ErkJggg==', "base64");
+  await it.page.locator("input[accept='image/*']").setInputFiles({ name: "p.png", mimeType: "image/png", buffer: dots });
+  await it.page.waitForFunction(() => document.getElementById("says").textContent.includes("distance"));
+  await it.drag([300, 300], [400, 300]);
+  await it.page.locator("#typing input").fill("25");
+  await it.key("Enter");
+  await it.idle();
+  await it.page.waitForTimeout(200);
+  // It says nothing to the model, and goes when it is told to.
+  assert.equal(await it.editor(() => window.editor.doc.canUndo), false);
+  await it.page.getByRole("button", { name: "Remove the picture" }).click();
+  assert.deepEqual(it.faults, []);
+});

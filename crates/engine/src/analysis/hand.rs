@@ -8,8 +8,10 @@
 //! ```
 //!
 //! no longer than [`LONGEST`], and moved onto the joints by the shortest way (`mechanism::closing`). A step whose correction is not small
-//! beside it, or that goes past a stop or into an outline, is tried again with half its length; so the motion follows the tangent
-//! through singular positions, and never jumps. Freedom that the point does not need stays where it is.
+//! beside it, or that goes past a stop or into an outline, is tried again with half its length. Where one freedom is left, det \[J̃; tᵀ\]
+//! with the tangent t has one sign along a branch: a step over which it changes is halved, too, down to [`CROSSED`], so that a branch
+//! that only comes near another is followed around, and a singular position that is crossed is told. Freedom that the point does not
+//! need stays where it is.
 
 use super::control::Stop;
 use super::ends::{seen, turns};
@@ -20,6 +22,7 @@ use crate::system::{Block, Evaluation, Inputs, Origin, System, compile::compile}
 use linkdyn_linear::dense::{Dense, least_norm_solve, svd_rank};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::{AnalysisKind, Checked};
+use nalgebra::DMatrix;
 
 /// Longest step, in rad or mechanism sizes.
 const LONGEST: f64 = 0.06;
@@ -28,6 +31,8 @@ const MOST_STEPS: usize = 60;
 /// Shortest part of a longer step that is tried, and what no step is shorter than.
 const SHORTEST: f64 = 1e-7;
 const ROUND_OFF: f64 = 1e-14;
+/// Branches that come nearer than such a step are taken to cross.
+const CROSSED: f64 = 1e-4;
 /// The correction of a step is smaller than this part of it.
 const CORRECTED: f64 = 0.25;
 /// A target is reached, in mechanism sizes.
@@ -55,7 +60,7 @@ pub struct Pulled {
     pub poses: Vec<[f64; 3]>,
     /// What is left between the point and its target \[m\].
     pub distance: f64,
-    /// What is in line or otherwise singular here, where the point does not follow.
+    /// What is in line or otherwise singular here, where the point does not follow, or where the mechanism went through.
     pub singular: Option<String>,
     /// The stop or outline that the mechanism meets.
     pub stopped: Option<String>,
@@ -123,7 +128,7 @@ impl Hand {
         let own = &self.system.bodies[body];
         let point = Vec2::new(local[0] + own.origin.x, local[1] + own.origin.y);
         let target = Vec2::new(target[0], target[1]);
-        let mut stopped = None;
+        let (mut stopped, mut crossed) = (None, None);
         let allowed = self.depths(&self.q).into_iter().map(|depth| depth.max(0.0));
         let allowed: Vec<f64> = allowed.collect();
         let mut length = LONGEST;
@@ -141,7 +146,10 @@ impl Hand {
             }
             stopped = None;
             match self.taken((&step, size), &mut length, &allowed) {
-                Ok(q) => {
+                Ok((q, crosses)) => {
+                    if crosses {
+                        crossed = crossed.or_else(|| self.stressed(&self.jacobian()));
+                    }
                     let now = (target - self.place(body, point, &q)).norm();
                     let gain = off.norm() - now;
                     let moved = size.min(length) * self.system.size;
@@ -170,7 +178,10 @@ impl Hand {
         Pulled {
             poses: self.poses(),
             distance,
-            singular: is_short.then(|| self.singular(body, point)).flatten(),
+            singular: is_short
+                .then(|| self.singular(body, point))
+                .flatten()
+                .or(crossed),
             stopped,
         }
     }
@@ -192,11 +203,37 @@ impl Hand {
         Vec2::new(x, y) + crate::element::Pose::new(x, y, theta).turn(point)
     }
 
+    /// det \[J̃; tᵀ\] at a position of a mechanism with one freedom, t the tangent that points along a step; 0 of all others.
+    fn side(&self, q: &[f64], step: &[f64]) -> f64 {
+        let n = self.system.n();
+        if self.system.joint_rows() + 1 != n {
+            return 0.0;
+        }
+        let jacobian = self.jacobian_at(q);
+        let Ok(found) = svd_rank(&jacobian, RANK) else {
+            return 0.0;
+        };
+        if found.right_null.columns() != 1 {
+            return 0.0;
+        }
+        let tangent = found.right_null.column(0);
+        let along: f64 = tangent.iter().zip(step).map(|(t, d)| t * d).sum();
+        let square = DMatrix::from_fn(n, n, |row, column| match row + 1 < n {
+            true => jacobian.get(row, column),
+            false => tangent[column] * along.signum(),
+        });
+        square.determinant()
+    }
+
     /// The scaled Jacobian of the joints.
     fn jacobian(&self) -> Dense {
+        self.jacobian_at(&self.q)
+    }
+
+    fn jacobian_at(&self, q: &[f64]) -> Dense {
         let (system, n) = (&self.system, self.system.n());
         let mut evaluation = Evaluation::new(system);
-        evaluation.set_position(&self.q);
+        evaluation.set_position(q);
         evaluation.eval_jacobian(system, &self.inputs);
         let rows = system.joint_rows();
         let values = system.dense_scaled(&evaluation.jacobian);
@@ -250,8 +287,9 @@ impl Hand {
         (step, size): (&[f64], f64),
         length: &mut f64,
         allowed: &[f64],
-    ) -> Result<Vec<f64>, Option<String>> {
+    ) -> Result<(Vec<f64>, bool), Option<String>> {
         let system = &self.system;
+        let side = self.side(&self.q, step);
         let mut met = None;
         *length = length.min(size);
         let least = SHORTEST.min(1e-3 * size);
@@ -266,12 +304,18 @@ impl Hand {
                 .map(|(k, (a, b))| (a - b) / system.column_scale(k))
                 .collect();
             if closed.converged && norm(&correction) <= CORRECTED * *length {
+                // Beyond a crossing, or on another branch that comes near.
+                let crosses = side * self.side(&closed.q, step) < 0.0;
+                if crosses && *length > CROSSED {
+                    *length *= 0.5;
+                    continue;
+                }
                 let depths = self.depths(&closed.q);
                 let beyond = depths.iter().zip(allowed);
                 let beyond = beyond.map(|(depth, allowed)| depth - allowed);
                 let deepest = beyond.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
                 match deepest.filter(|(_, depth)| *depth > BEYOND * system.size) {
-                    None => return Ok(closed.q),
+                    None => return Ok((closed.q, crosses)),
                     Some((contact, _)) => met = Some(system.owner_words(ContactId(contact))),
                 }
             }
@@ -315,10 +359,14 @@ impl Hand {
             columns.write(&mut row, [held[0], held[1], turn]);
             values.extend(row);
         }
-        let held = Dense::new(jacobian.rows() + 2, n, values);
-        let stress = svd_rank(&held, SINGULAR).ok()?.left_null;
+        self.stressed(&Dense::new(jacobian.rows() + 2, n, values))
+    }
+
+    /// Which joints carry a load in themselves, as rows of a matrix (joints first) that nearly lose rank have it.
+    fn stressed(&self, matrix: &Dense) -> Option<String> {
+        let stress = svd_rank(matrix, SINGULAR).ok()?.left_null;
         let stress = (stress.columns() > 0).then(|| stress.column(0))?;
-        let rows = stressed_rows(&self.system, &stress[..jacobian.rows()]);
+        let rows = stressed_rows(&self.system, &stress[..self.system.joint_rows()]);
         singular_text(&self.system, &rows)
     }
 }

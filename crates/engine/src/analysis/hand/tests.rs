@@ -87,6 +87,42 @@ fn a_four_bar_never_changes_its_assembly() {
 }
 
 #[test]
+fn branches_that_come_near_are_not_changed() {
+    // Less than a parallelogram by a hundredth to a thousandth: where the bars lie in line, the two ways to close it nearly meet.
+    for less in [1e-3, 3e-4, 1e-4] {
+        let bars = [0.1 - less, 0.3, 0.1, 0.3];
+        let (mut hand, _) = four_bar(bars, 1.0);
+        let mut state = 3;
+        let mut turned = 1.0_f64;
+        for _ in 0..400 {
+            let target = [
+                random(&mut state) * 0.6 - 0.3,
+                random(&mut state) * 0.6 - 0.3,
+            ];
+            let pulled = hand.pull(0, [bars[0], 0.0], target);
+            let [bx, by] = closed(bars, pulled.poses[0][2], 1.0).expect("it closes everywhere");
+            let [cx, cy, coupler] = pulled.poses[1];
+            let off = (cx + 0.3 * coupler.cos() - bx).hypot(cy + 0.3 * coupler.sin() - by);
+            assert!(off < 1e-6 || pulled.singular.is_some(), "{less}: {off}");
+            turned = turned.max(pulled.poses[0][2].abs());
+        }
+        assert!(turned > 3.2, "it goes through the line: {turned}");
+    }
+}
+
+#[test]
+fn a_change_point_is_crossed_with_a_word() {
+    let bars = [0.1, 0.3, 0.1, 0.3];
+    let (mut hand, _) = four_bar(bars, 0.5);
+    let pulled = hand.pull(0, [0.1, 0.0], [0.08, -0.06]);
+    assert!((pulled.poses[0][2].sin() + 0.6).abs() < 1e-3, "{pulled:?}");
+    let said = pulled.singular.clone().unwrap_or_default();
+    assert!(said.contains("in line"), "{pulled:?}");
+    // Straight through: the coupler stays level.
+    assert!(pulled.poses[1][2].abs() < 1e-6, "{pulled:?}");
+}
+
+#[test]
 fn a_reachable_point_is_reached_by_a_five_bar() {
     let mut hand = hand(
         r#"{ "format": "linkdyn/1", "units": "SI", "bodies": { "ground": { "points": { "O": [0, 0], "D": [1, 0] } },
