@@ -76,8 +76,6 @@ impl Source {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-
     const FILE: &str = r#"{ "format": "linkdyn/1", "units": { "length": "mm" }, "bodies": { "a":{"points": { "P" : [ 10,"2.50 in"] ,
         "Q": { "position": [1e1 , "=3 mm"] } } } } }"#;
 
