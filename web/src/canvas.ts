@@ -39,6 +39,8 @@ export class Canvas {
     const took = (event: Event) => { event.stopPropagation(); };
     on("pointerdown", (event, at) => {
       if (event.button !== 0 || this.#gesture) return;
+      // What is drawn is drawn at the start of the motion.
+      if (this.tool?.cursor === "crosshair" && report.player.row !== 0) { report.player.pause(); report.player.seek(0); }
       const own = this.tool?.down(at, event) ?? null;
       if (!own) { this.#gesture = null; return; }
       took(event); event.preventDefault();

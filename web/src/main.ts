@@ -2,6 +2,7 @@
 import { Ask, type Curve } from "./ask";
 import { Canvas, type Gesture, type Thing } from "./canvas";
 import { Document } from "./document";
+import { read } from "./edit";
 import { drawn, element, id } from "./element";
 import { Engine, Interrupted } from "./engine";
 import { Frame } from "./frame";
@@ -53,10 +54,10 @@ const start = async (): Promise<void> => {
 
   // What the engine made of a text.
   let shownText = "";
-  const took = async ({ text, read, picture }: Shown, trying: boolean): Promise<void> => {
-    last = read;
+  const took = async ({ text, read: told, picture }: Shown, trying: boolean): Promise<void> => {
+    last = told;
     shownText = text;
-    frame.window?.document.body.classList.toggle("old", !read.ok);
+    frame.window?.document.body.classList.toggle("old", !told.ok);
     if (picture) await frame.show(picture, trying);
     if (trying) return;
     tell();
@@ -230,7 +231,7 @@ const start = async (): Promise<void> => {
     if (key === "Escape") { untyped(); canvas.cancel(); choose("pose"); }
     if (key === "Enter" && taken && typingField.value.trim()) { const take = taken; untyped(); take(typingField.value); }
   });
-  const lengthName = (): string => { const units = (JSON.parse(doc.text || "{}") as { units?: { length?: string } }).units; return units?.length ?? "m"; };
+  const lengthName = (): string => (read(doc.text)?.units as { length?: string } | undefined)?.length ?? "m";
   // Numbers with a decimal point or comma, apart by a comma and a blank, a semicolon or a blank.
   const numbers = (text: string): number[] => text.trim().split(/[;\s]+/).map((own) => Number(own.replace(/,$/, "").replace(",", ".")));
   const desk: Desk = {
@@ -416,11 +417,14 @@ const start = async (): Promise<void> => {
   known = file ?? "";
   if (served) {
     files.forget(served.name);
-    void served.watch((text) => { if (doc.text === text) return; const isClean = doc.text === known;
+    void served.watch((text) => {
+      if (doc.text === text) return;
+      const isClean = doc.text === known;
       known = text;
-      if (isClean) write(text); else clash(text); }, () => say(words.ended, { bad: true, stays: true }));
+      if (isClean) write(text); else clash(text);
+    }, () => say(words.ended, { bad: true, stays: true }));
   }
-    doc.open(file ?? linked ?? before ?? NEW);
+  doc.open(file ?? linked ?? before ?? NEW);
   await show();
   if (before !== null && before !== NEW) say(words.restored, { act: [[words.startOver, () => { files.forget(); opened(NEW); }]] });
   document.documentElement.dataset.ready = "true";

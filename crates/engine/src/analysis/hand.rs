@@ -7,9 +7,9 @@
 //! d = N z,   z of least norm among those that minimise |P N z − (p* − p)|,   P = ∂p/∂q̃
 //! ```
 //!
-//! no longer than [`LONGEST`], and moved onto the joints by the shortest way (`mechanism::closing`). A step whose correction is not small
+//! no longer than `LONGEST`, and moved onto the joints by the shortest way (`mechanism::closing`). A step whose correction is not small
 //! beside it, or that goes past a stop or into an outline, is tried again with half its length. Where one freedom is left, det \[J̃; tᵀ\]
-//! with the tangent t has one sign along a branch: a step over which it changes is halved, too, down to [`CROSSED`], so that a branch
+//! with the tangent t has one sign along a branch: a step over which it changes is halved, too, down to `CROSSED`, so that a branch
 //! that only comes near another is followed around, and a singular position that is crossed is told. Freedom that the point does not
 //! need stays where it is.
 
