@@ -27,7 +27,7 @@ export class Canvas {
   #background: Layer | null = null;
   onSelect: (thing: Thing | null) => void = () => {};
 
-  attach(report: Report, frame: Window): void {
+  attach(report: Report): void {
     this.report = report;
     this.#gesture = null;
     const { canvas, layers } = report.stage, stage = canvas.parentElement!;
@@ -77,7 +77,6 @@ export class Canvas {
       event.preventDefault(); event.stopPropagation();
       report.stage.zoom(Math.exp(-(event.deltaY || event.deltaX) * 0.0015), [event.offsetX, event.offsetY]);
     }, { passive: false, capture: true });
-    void frame;
   }
   set background(layer: Layer | null) { this.#background = layer; this.draw(); }
   draw(): void { this.report?.stage.draw(); }
@@ -162,6 +161,26 @@ export class Canvas {
   get grain(): number {
     const about = 4 / (this.report?.stage.shown[2] ?? 1000), power = 10 ** Math.floor(Math.log10(about));
     return [1, 2, 5, 10].map((n) => n * power).find((n) => n >= about * 0.7) ?? power;
+  }
+
+  /** Moves the pointer by keys, so many grains right and up; where it is then, and on what. */
+  nudge(right: number, up: number, event: PointerEvent): string {
+    const { stage, units } = this.report!, { width, height } = stage.size, step = this.grain * stage.shown[2]!, [x, y] = this.pointer ?? [width / 2, height / 2];
+    this.pointer = [Math.min(Math.max(x + right * step, 0), width), Math.min(Math.max(y - up * step, 0), height)];
+    this.tool?.hover?.(this.pointer, event);
+    this.draw();
+    const { at, end } = this.snap(this.pointer), own = end && this.mechanism.bodies[end[0]]!;
+    return [at.map((own) => units.quantity(own, "m", 4)).join(", "), ...(own ? [`${own.name}.${own.points[end[1]]![0]}`] : [])].join(": ");
+  }
+  /** Presses and lets go where the pointer is. */
+  press(event: PointerEvent): void { const at = this.pointer; if (at) this.tool?.down(at, event)?.end(at, event); }
+  /** Drags the selected point by keys. */
+  push(right: number, up: number, event: PointerEvent): void {
+    const end = this.selected?.end, at = end && this.pixel(end), step = this.grain * this.report!.stage.shown[2]!;
+    if (!at) return;
+    const own = this.tool?.down(at, event), to: Place = [at[0] + right * step, at[1] - up * step];
+    own?.move(to, event);
+    own?.end(to, event);
   }
 
   select(thing: Thing | null): void { this.selected = thing; this.onSelect(thing); this.draw(); }

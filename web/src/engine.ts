@@ -4,6 +4,9 @@ import { words } from "./words";
 
 type Question = { name: string; args: unknown[]; done: (answer: any) => void; fail: (why: Error) => void; seconds: number };
 
+/** How long a run may take, and one while a hand moves [s]. */
+export const SECONDS = 8, LIVE_SECONDS = 2;
+
 export class Interrupted extends Error {}
 
 export class Engine {

@@ -21,7 +21,7 @@ export type Report = {
   column(name: string): Column | undefined;
   take(made: object, floats: Float64Array, trying: boolean): boolean;
   shapes: { known: boolean; posed: (number[] | null)[] | null; pose(body: number, row: number): number[] | null; place(end: End, row: number): Place | null };
-  player: { row: number; playing: boolean; seek(row: number): void; pause(): void; toggle(): void; onRow(listen: () => void): void };
+  player: { row: number; playing: boolean; seek(row: number): void; rowAt(instant: number): number; pause(): void; toggle(): void; onRow(listen: () => void): void };
   stage: { canvas: HTMLCanvasElement; layers: { under: Layer | null; over: Layer | null }; draw(): void; paint(): void; zoom(by: number, at?: Place): void; whole(): void;
     to(place: Place): Place; from(at: Place): Place; shown: number[]; view: number[] | null; size: { width: number; height: number } };
   ghost: { take(): void; leave(): void };
@@ -42,4 +42,4 @@ export type Shown = { text: string; read: Read; picture: Picture | null; millise
 export type Faulty = { faults?: { text: string }[] };
 export type Pulled = Faulty & { poses: number[]; distance: number; singular: string | null; stopped: string | null };
 export type Moved = Shown & Faulty & { changed: string[]; place: Place; poses: number[]; near: number[] | null; begin: number[] | null };
-export type Bundled = { name: string; title: string; about: string; category?: string };
+export type Bundled = { name: string; title: string; about: string };

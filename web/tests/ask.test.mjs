@@ -32,21 +32,40 @@ test("a goal is reached, and one that can't be is told with its range", async ()
   await it.load(model("slider-crank"));
   await it.page.getByRole("tab", { name: "Ask" }).click();
   const column = (await it.editor(() => window.editor.frame.report.columns.map(({ name }) => name))).find((name) => /^piston\.x$/.test(name)) ?? "piston.x";
-  await it.page.getByLabel("column").selectOption(column);
-  await it.page.getByLabel("parameter").selectOption("crank");
-  await it.page.getByLabel("of it").selectOption("range");
+  await it.page.getByLabel("column", { exact: true }).selectOption(column);
+  await it.page.getByLabel("parameter", { exact: true }).selectOption("crank");
+  await it.page.getByLabel("of it", { exact: true }).selectOption("range");
   const seek = it.page.getByRole("button", { name: "Find the value" }), answer = it.page.locator("#ask pre");
-  await it.page.getByLabel("is to be").fill("80");
+  await it.page.getByLabel("is to be", { exact: true }).fill("80");
   await seek.click();
   await it.page.waitForFunction(() => document.querySelector("#ask pre").textContent.startsWith("crank"));
   // The stroke of a slider-crank in line is twice its crank.
   assert.match(await answer.textContent(), /crank = (40(\.0+\d*)?|39\.9+\d*) mm/);
-  await it.page.getByLabel("is to be").fill("9000");
+  await it.page.getByLabel("is to be", { exact: true }).fill("9000");
   await seek.click();
   await it.page.waitForFunction(() => document.querySelector("#ask pre").textContent.includes("is from"));
   await it.page.getByRole("button", { name: "Sweep the parameter" }).click();
   await it.page.waitForFunction(() => document.querySelectorAll("#ask svg path").length === 7);
   await it.page.getByRole("button", { name: "Mobility and loops" }).click();
   await it.page.waitForFunction(() => document.querySelector("#ask pre").textContent.includes("mobility"));
+  assert.deepEqual(it.faults, []);
+});
+
+test("every lesson of the gallery runs, and its link holds it", async () => {
+  const it = await open();
+  await it.page.getByRole("button", { name: "Gallery" }).click();
+  await it.page.waitForFunction(() => document.querySelectorAll("#gallery a").length > 0);
+  const lessons = await it.editor(() => [...document.querySelectorAll("#gallery a")].map((own) => [own.querySelector("strong").textContent, own.getAttribute("href")]));
+  // No bundled model is missing.
+  const bundled = await it.editor(() => window.editor.engine.ask("models"));
+  assert.ok(lessons.length >= bundled.length, `${lessons.length} lessons, ${bundled.length} models`);
+  const slow = ["Walking", "Strandbeest"];
+  for (const [title, href] of lessons.filter(([title]) => !slow.some((own) => title.includes(own)))) {
+    const { read, failure } = await it.editor(async (href) => {
+      const { read, picture } = await window.editor.engine.ask("show", [await window.editor.unpacked(href), 20]);
+      return { read, failure: picture?.failure ?? "no picture" };
+    }, href);
+    assert.ok(read.ok && failure === "", `${title}: ${failure} ${JSON.stringify(read.faults)}`);
+  }
   assert.deepEqual(it.faults, []);
 });

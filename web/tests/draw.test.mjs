@@ -105,3 +105,27 @@ test("a picture lies below, scaled by two of its points", async () => {
   await it.page.getByRole("button", { name: "Remove the picture" }).click();
   assert.deepEqual(it.faults, []);
 });
+
+test("a bar is drawn, pinned and turned by keys alone", async () => {
+  const it = await open(), { key, page } = it;
+  await page.keyboard.press("b");
+  for (let k = 0; k < 3; k++) await key("Shift+ArrowRight");
+  await key("Enter");
+  // The field for lengths has the keys after the first end.
+  await page.keyboard.type("90 45");
+  await key("Enter");
+  await it.idle();
+  const { points } = JSON.parse(await it.text()).bodies.bar1;
+  assert.equal(Object.keys(points).length, 2);
+  await key("g");
+  await key("Enter");
+  await it.idle();
+  await key("m");
+  await key("Enter");
+  await it.idle();
+  const model = JSON.parse(await it.text());
+  assert.equal(Object.keys(model.joints).length, 1, JSON.stringify(model));
+  assert.equal(Object.keys(model.drivers).length, 1);
+  assert.equal(await it.editor(() => window.editor.frame.report.summary.status), "completed");
+  assert.deepEqual(it.faults, []);
+});
