@@ -2,12 +2,13 @@
 
 use super::*;
 
-const COMMANDS: [&str; 17] = [
+const COMMANDS: [&str; 18] = [
     "accuracy",
     "allocate",
     "new",
     "run",
     "check",
+    "edit",
     "compare",
     "modes",
     "study",
