@@ -47,7 +47,7 @@ const PARTS: &[Part] = &[
     part("pages", &["crates/picture/src"], "js", 4_545),
     part("library", &["src"], "rs", 5_740),
     part("of it the command", &["src/cli"], "rs", 4_260),
-    part("web", &["crates/web/src", "web/bind/src"], "rs", 480),
+    part("web", &["crates/web/src", "web/bind/src"], "rs", 510),
     part("editor", &["web/src"], "ts", 2_120),
     part("validation", &["validation/src"], "rs", 7_450),
     part("python", &["python/src"], "rs", 1_330),
