@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(x.written(0.012_34, 1e-3), "12");
         assert_eq!(x.written(0.012_34, 1e-5), "12.34");
         assert_eq!(y.written(0.0254, 1e-3), "1");
-        assert_eq!(y.written(0.025, 1e-3), "0.984");
+        assert_eq!(y.written(0.025, 1e-3), "0.98");
         assert_eq!(q.written(-1e-9, 1e-5), "0");
         let text = loaded.source.replaced(vec![
             (y, "0.9".into()),
