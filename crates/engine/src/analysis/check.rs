@@ -117,7 +117,8 @@ fn diagnose(model: &Checked) -> Result<Check, Complaints> {
     check.mobility = assembled.mobility.clone();
     check.warnings.extend(assembled.warnings.iter().cloned());
     let q = assembled.q.clone();
-    check.poses = frames(&system, &q);
+    let names = system.bodies.iter().map(|body| body.name.clone());
+    check.poses = names.zip(system.frames(&q)).collect();
     let undriven = if journals_move(model) {
         let (open, undriven) = open(model, assembled)?;
         check.open = Some(open);
@@ -136,18 +137,6 @@ fn diagnose(model: &Checked) -> Result<Check, Complaints> {
     check.suspicious.extend(turned_over(model, &system, &q));
     check.suspicious.extend(odd_springs(model, &system, &q));
     Ok(check)
-}
-
-/// Names and places of the moving bodies' frames.
-fn frames(system: &System, q: &[f64]) -> Vec<(String, [f64; 3])> {
-    let bodies = system.bodies.iter().zip(system.layout.bodies());
-    bodies
-        .map(|(body, columns)| {
-            let [x, y, theta] = columns.read(q);
-            let rho = crate::element::Pose::new(x, y, theta).turn(body.origin);
-            (body.name.clone(), [x + rho.x, y + rho.y, theta])
-        })
-        .collect()
 }
 
 /// Bodies that no joint holds.

@@ -186,15 +186,9 @@ impl Hand {
         }
     }
 
-    /// Poses of the moving bodies' frames.
+    /// x, y \[m\] and angle \[rad\] of the moving bodies' frames.
     pub fn poses(&self) -> Vec<[f64; 3]> {
-        let bodies = self.system.bodies.iter().zip(self.system.layout.bodies());
-        let pose = bodies.map(|(body, columns)| {
-            let [x, y, theta] = columns.read(&self.q);
-            let origin = crate::element::Pose::new(x, y, theta).turn(body.origin);
-            [x + origin.x, y + origin.y, theta]
-        });
-        pose.collect()
+        self.system.frames(&self.q)
     }
 
     /// Where a point stands that is given from the centre of mass.

@@ -347,6 +347,17 @@ impl System {
         &self.blocks[k - 1]
     }
 
+    /// Poses of the moving bodies' frames at a position: x, y \[m\] and angle \[rad\].
+    pub(crate) fn frames(&self, q: &[f64]) -> Vec<[f64; 3]> {
+        let bodies = self.bodies.iter().zip(self.layout.bodies());
+        let frame = bodies.map(|(body, columns)| {
+            let [x, y, theta] = columns.read(q);
+            let origin = crate::element::Pose::new(x, y, theta).turn(body.origin);
+            [x + origin.x, y + origin.y, theta]
+        });
+        frame.collect()
+    }
+
     /// Length scale of a coordinate: size for x and y, 1 for angles; coordinates divided by it are comparable.
     pub fn column_scale(&self, column: usize) -> f64 {
         let (_, axis) = self.layout.coordinate(column);
