@@ -15,6 +15,8 @@ export type Tool = {
   click?(at: Place, event: PointerEvent): void;
   hover?(at: Place, event: PointerEvent): void;
   over?: Layer;
+  /** Forgets what is half drawn; false where nothing was. */
+  leave?(): boolean;
 };
 
 export class Canvas {
@@ -85,8 +87,9 @@ export class Canvas {
     const held = this.#gesture;
     this.#gesture = null;
     held?.own.cancel();
-    return Boolean(held);
+    return this.leave() || Boolean(held);
   }
+  leave(): boolean { return this.tool?.leave?.() ?? false; }
   get isHeld(): boolean { return this.#gesture !== null; }
   #cursor(at: Place): string { return this.tool?.cursor === "pick" ? (this.thing(at) ? "pointer" : "") : this.tool?.cursor ?? ""; }
 

@@ -107,6 +107,8 @@ const start = async (): Promise<void> => {
   doc.onChange = (why) => {
     clearTimeout(resting);
     generation++;
+    // Points of another text may be others.
+    canvas.leave();
     hands.unpose();
     menu.tell();
     resting = window.setTimeout(() => { resting = 0; void show(); }, why === "typed" ? REST : 0);

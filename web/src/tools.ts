@@ -64,20 +64,21 @@ export const tools = (desk: Desk): Record<string, Tool> => {
         ended(from, { at: [from.at[0] + length * Math.cos(turned), from.at[1] + length * Math.sin(turned)], end: null }, event);
       });
     };
+    const leave = (): boolean => { const was = first !== null; first = null; if (was) { desk.untyped(); done(); } return was; };
     return {
-      cursor: "crosshair", over,
+      cursor: "crosshair", over, leave,
       hover: (at, event) => { if (first) show(first, canvas.snap(at, first.at, event.altKey)); else canvas.draw(); },
       down: (at, event) => {
         if (first) {
           const from = first;
-          return { move: (to) => show(from, canvas.snap(to, from.at)), end: (to, last) => ended(from, canvas.snap(to, from.at, last.altKey), last), cancel: () => { first = null; desk.untyped(); done(); } };
+          return { move: (to) => show(from, canvas.snap(to, from.at)), end: (to, last) => ended(from, canvas.snap(to, from.at, last.altKey), last), cancel: leave };
         }
         const from = canvas.snap(at, null, event.altKey);
         let moved = false;
         return {
           move: (to) => { moved = true; show(from, canvas.snap(to, from.at)); },
           end: (to, last) => { if (moved) ended(from, canvas.snap(to, from.at, last.altKey), last); else begun(from, last); },
-          cancel: () => { first = null; desk.untyped(); done(); },
+          cancel: () => { first = from; leave(); },
         };
       },
     };
@@ -100,7 +101,7 @@ export const tools = (desk: Desk): Record<string, Tool> => {
   return {
     pose: { cursor: "pick", over, down: (at) => desk.pose(at) },
     shape: { cursor: "pick", over, down: (at) => desk.shape(at) },
-    bar: { ...bar, down: (at, event) => (corners.length ? { move() {}, cancel: () => { corners = []; done(); }, end: (to, last) => {
+    bar: { ...bar, leave: () => { const was = corners.length > 0; corners = []; return bar.leave!() || (was && (done(), true)); }, down: (at, event) => (corners.length ? { move() {}, cancel: () => { corners = []; done(); }, end: (to, last) => {
       const next = canvas.snap(to, corners[corners.length - 1]!.at, last.altKey);
       if (apart(corners[corners.length - 1]!, next)) corners.push(next);
       if (last.shiftKey) { canvas.draw(); return; }

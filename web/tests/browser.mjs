@@ -22,7 +22,7 @@ export const open = async ({ width = 1440, height = 900, hash = "", ...options }
   browser ??= await chromium.launch({ executablePath: found, args: ["--no-sandbox"] });
   const context = await browser.newContext({ viewport: { width, height }, ...options });
   const page = await context.newPage(), faults = [], requests = [];
-  page.on("pageerror", (why) => faults.push(why.message));
+  page.on("pageerror", (why) => faults.push(why.stack ?? why.message));
   page.on("console", (line) => { if (["error", "warning"].includes(line.type())) faults.push(line.text()); });
   page.on("request", (request) => { if (!/^(data|blob|about):/.test(request.url())) requests.push(request.url()); });
   const began = performance.now();
