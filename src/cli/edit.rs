@@ -4,11 +4,17 @@ use std::collections::hash_map::DefaultHasher;
 use std::fs;
 use std::hash::{Hash, Hasher};
 use std::io;
+use std::mem;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+use std::sync::{Mutex, PoisonError};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use clap::Args;
+use linkdyn_ask::{ModelFile, Text, Unanswered, editor};
+use linkdyn_engine::analysis::Control;
+use linkdyn_model::FileAccess;
 
 use super::exit::{BadInput, Exit, Failure};
 use super::interrupt;
@@ -58,7 +64,12 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
             path.display()
         )]));
     }
-    let answers = move |request: &Request, asked: &str| answer(&page, &path, request, asked);
+    let running = Running::default();
+    let answers = move |request: &Request, asked: &str| match (request.method.as_str(), asked) {
+        ("POST", "ask") => worded(request, &running),
+        ("POST", "run") => ran(request, &running),
+        _ => answer(&page, &path, request, asked),
+    };
     let server = Server::start(LONGEST, Box::new(answers));
     let server = server.map_err(|why| BadInput(vec![format!("no page can be served: {why}")]))?;
     remark(&format!(
@@ -114,8 +125,58 @@ fn answer(page: &str, path: &Path, request: &Request, asked: &str) -> Answer {
             Ok(()) => Answer::new(200, TEXT, version(path)),
             Err(why) => Answer::new(422, TEXT, why.to_string()),
         },
-        (_, "" | "model" | "state" | "save") => Answer::bare(405),
+        (_, "" | "model" | "state" | "save" | "ask" | "run") => Answer::bare(405),
         _ => Answer::bare(404),
+    }
+}
+
+/// What is computed for the page; a newer question ends the one before.
+#[derive(Default)]
+struct Running(Mutex<Control>);
+
+impl Running {
+    fn next(&self) -> Control {
+        let next = Control::default();
+        let mut last = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let before = mem::replace(&mut *last, next.clone());
+        before.interrupted.store(true, Ordering::SeqCst);
+        next
+    }
+}
+
+/// The model that a page has sent.
+fn sent(request: &Request) -> Result<ModelFile, Unanswered> {
+    let text = Text::new(
+        "sketch".into(),
+        "sketch".into(),
+        request.body.clone(),
+        FileAccess::default(),
+    );
+    Ok(ModelFile::read(text, Vec::new())?)
+}
+
+/// The answer to the question that is named, in words; they say, too, why there is none.
+fn worded(request: &Request, running: &Running) -> Answer {
+    let control = running.next();
+    match sent(request).and_then(|file| editor::words(&file, &request.query, &control)) {
+        Ok(Some(page)) => Answer::new(200, TEXT, page.text()),
+        Ok(None) => Answer::bare(404),
+        Err(why) => Answer::new(200, TEXT, why.to_string()),
+    }
+}
+
+/// What a run comes to: a line of JSON with what is drawn, then its numbers, of 8 bytes each, the lowest first.
+fn ran(request: &Request, running: &Running) -> Answer {
+    let control = running.next();
+    match sent(request).and_then(|file| editor::drawn(&file, &control)) {
+        Ok((file, outcome)) => {
+            let (facts, values) = file.origin().numbers(&outcome);
+            let mut body = facts.into_bytes();
+            body.push(b'\n');
+            body.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+            Answer::new(200, "application/octet-stream", body)
+        }
+        Err(why) => Answer::new(422, TEXT, why.to_string()),
     }
 }
 

@@ -47,19 +47,26 @@ impl Editing {
         }
     }
 
-    /// Status and body of an answer.
+    /// Status and body of an answer in words.
     fn ask(&self, method: &str, path: &str, more: &str, body: &str) -> (u16, String) {
+        let (status, body) = self.bytes(method, path, more, body);
+        (status, String::from_utf8(body).expect("text"))
+    }
+
+    fn bytes(&self, method: &str, path: &str, more: &str, body: &str) -> (u16, Vec<u8>) {
         let mut stream = TcpStream::connect(&self.host).expect("it listens");
         let (host, token, length) = (&self.host, &self.token, body.len());
         let request = format!(
             "{method} /{token}/{path} HTTP/1.1\r\nHost: {host}\r\n{more}Content-Length: {length}\r\n\r\n{body}"
         );
         stream.write_all(request.as_bytes()).expect("sent");
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).expect("an answer");
-        let status = answer.split(' ').nth(1).expect("a status").parse();
-        let (_, body) = answer.split_once("\r\n\r\n").expect("a body");
-        (status.expect("a number"), body.to_owned())
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).expect("an answer");
+        let end = answer.windows(4).position(|four| four == b"\r\n\r\n");
+        let body = answer.split_off(end.expect("a head") + 4);
+        let head = String::from_utf8(answer).expect("text");
+        let status = head.split(' ').nth(1).expect("a status").parse();
+        (status.expect("a number"), body)
     }
 }
 
@@ -134,4 +141,41 @@ fn a_new_file_is_begun_and_what_is_none_is_refused() {
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2));
     assert!(said.contains("linkdyn models NAME > FILE.json"), "{said}");
+}
+
+#[test]
+fn the_command_answers_what_the_page_asks() {
+    let scratch = Scratch::new("edit-asks");
+    let editing = Editing::begin(&scratch, "mine.json");
+    let model = include_str!("../../models/four-bar.json");
+    let (status, words) = editing.ask("POST", "ask?check", "", model);
+    let said = Command::new(env!("CARGO_BIN_EXE_linkdyn"))
+        .args(["check", "four-bar"])
+        .output()
+        .expect("the binary runs");
+    assert_eq!(
+        (status, words),
+        (200, String::from_utf8_lossy(&said.stdout).into_owned())
+    );
+    let (status, words) = editing.ask("POST", "ask?study", "", model);
+    assert!(status == 200 && words.contains("responses"), "{words}");
+    let (status, words) = editing.ask("POST", "ask?modes", "", "{ \"format\": 1 }");
+    assert!(status == 200 && words.contains("line 1"), "{words}");
+    assert_eq!(editing.ask("POST", "ask?delete", "", model).0, 404);
+    assert_eq!(editing.ask("GET", "run", "", "").0, 405);
+    assert_eq!(editing.ask("POST", "run", "", "{").0, 422);
+
+    let (status, run) = editing.bytes("POST", "run", "", model);
+    assert_eq!(status, 200);
+    let end = run.iter().position(|&byte| byte == b'\n').expect("a line");
+    let facts: serde_json::Value = serde_json::from_slice(&run[..end]).expect("JSON");
+    let rows = facts["rows"].as_u64().expect("rows") as usize;
+    let columns = facts["columns"].as_array().expect("columns").len();
+    assert_eq!(run.len() - end - 1, 8 * rows * columns);
+    let times: Vec<f64> = run[end + 1..].as_chunks().0[..rows]
+        .iter()
+        .map(|bytes| f64::from_le_bytes(*bytes))
+        .collect();
+    assert_eq!(times[0], 0.0);
+    assert!(times.is_sorted(), "{times:?}");
 }

@@ -10,7 +10,7 @@ export type Asking = {
   /** A column over time or the driver, for values of a parameter. */
   sample(name: string, values: number[], column: string, across: string): Promise<Curve[]>;
   set(values: Record<string, number>): Promise<void>;
-  words(name: "check" | "statics" | "modes" | "accuracy"): Promise<string>;
+  words(name: string): Promise<string>;
 };
 
 const SIGN = "http://www.w3.org/2000/svg", CURVES = 7, SCAN = 9, MOST = 60;
@@ -34,7 +34,7 @@ export class Ask {
 
   constructor(asking: Asking) {
     this.#asking = asking;
-    const QUESTIONS = [["check", words.ask.check], ["statics", words.ask.statics], ["modes", words.ask.modes], ["accuracy", words.ask.accuracy]] as const;
+    const QUESTIONS = Object.entries(words.ask.questions);
     const row = (text: string, control: HTMLElement) => element("div", { className: "field" }, element("label", { for: control.id, text }), control);
     const button = (text: string, act: () => Promise<void>) => element("button", { type: "button", text, on: { click: () => {
       this.#answer.textContent = words.computing;

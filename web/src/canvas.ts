@@ -27,6 +27,8 @@ export class Canvas {
   /** Pixels of the screen per pixel of the drawing's own size don't matter: all places are in pixels of the page. */
   #gesture: { own: Gesture; id: number; from: Place; moved: boolean } | null = null;
   #background: Layer | null = null;
+  /** What tolerances do, below the drawing. */
+  #zones: Layer | null = null;
   onSelect: (thing: Thing | null) => void = () => {};
 
   attach(report: Report): void {
@@ -34,7 +36,7 @@ export class Canvas {
     this.#gesture = null;
     const { canvas, layers } = report.stage, stage = canvas.parentElement!;
     layers.over = (state) => { this.#mark(state); this.tool?.over?.(state); };
-    layers.under = (state) => this.#background?.(state);
+    layers.under = (state) => { this.#background?.(state); this.#zones?.(state); };
     // Before the report hears of them: what the tool takes, the report does not get.
     const on = <K extends keyof HTMLElementEventMap>(name: K, act: (event: HTMLElementEventMap[K], at: Place) => void) =>
       stage.addEventListener(name, (event) => { if (event.target === canvas) act(event, [(event as MouseEvent).offsetX, (event as MouseEvent).offsetY]); }, { capture: true });
@@ -80,6 +82,7 @@ export class Canvas {
       report.stage.zoom(Math.exp(-(event.deltaY || event.deltaX) * 0.0015), [event.offsetX, event.offsetY]);
     }, { passive: false, capture: true });
   }
+  set zones(layer: Layer | null) { if (layer !== this.#zones) { this.#zones = layer; this.draw(); } }
   set background(layer: Layer | null) { this.#background = layer; this.draw(); }
   draw(): void { this.report?.stage.draw(); }
   /** Ends what the hand does, as if it had not begun. */

@@ -8,6 +8,7 @@ import { Engine, Interrupted, LIVE_SECONDS, SECONDS } from "./engine";
 import { Frame } from "./frame";
 import frameStyle from "./frame.css";
 import { hands as makeHands } from "./hands";
+import { Host } from "./host";
 import { icons } from "./icons";
 import { keys } from "./keys";
 import type { End, Faulty, Read, Shown } from "./linkdyn";
@@ -18,6 +19,7 @@ import { Sketch } from "./sketch";
 import { tools as makeTools } from "./tools";
 import { typing as makeTyping } from "./typing";
 import { words } from "./words";
+import { zoned, type Zone } from "./zones";
 
 // How long the keyboard rests before what was typed is run [ms].
 const REST = 140;
@@ -71,7 +73,7 @@ const failed = (why: unknown): void => { if (!(why instanceof Interrupted)) say(
 const start = async (): Promise<void> => {
   const given = (name: string) => id(name).textContent!.trim();
   const module = await WebAssembly.compile(await gunzipped(bytesOf(given("engine"))) as BufferSource);
-  const engine = new Engine(JSON.parse(given("worker")) as string, module), served = Served.found;
+  const engine = new Engine(JSON.parse(given("worker")) as string, module), served = Served.found, host = Host.found;
   const [parts, file] = await Promise.all([engine.ask<[string, string, string]>("frame"), served?.read().catch(() => null)]);
   const frame = new Frame(id("view"), parts, frameStyle), canvas = new Canvas(), doc = new Document(id("text"), NEW), tabs = panels();
   let last: Read | null = null, shownText = "", generation = 0, resting = 0;
@@ -98,17 +100,33 @@ const start = async (): Promise<void> => {
   };
   const show = async (): Promise<void> => {
     const own = ++generation, { text } = doc;
-    if (!served) remember(text);
+    if (host) host.tell(text); else if (!served) remember(text);
     try {
       const shown = await engine.live<Shown>("show", [text, SECONDS], SECONDS + 4);
-      if (shown && own === generation) await took(shown, false);
+      if (!shown || own !== generation) return;
+      await took(shown, false);
+      // What takes long is for the command, where it serves the page.
+      if (served && frame.report?.summary.status === "time_limit") {
+        id("busy").textContent = words.byCommand;
+        const picture = await served.run(text).finally(() => { id("busy").textContent = ""; });
+        if (own === generation) await took({ ...shown, picture }, false);
+      }
+      clearTimeout(zoning);
+      if (shown.read.ok && frame.report?.mechanism.points.length) zoning = window.setTimeout(() => { if (own === generation) void band(text).catch(failed); }, REST);
     } catch (why) { failed(why); }
+  };
+  // What tolerances do to the traced points, once the hand rests.
+  let zoning = 0;
+  const band = async (text: string): Promise<void> => {
+    const zones = await engine.ask<Zone[]>("zones", [text]), { report } = frame;
+    if (report && text === doc.text) canvas.zones = zoned(zones, report);
   };
   doc.onChange = (why) => {
     clearTimeout(resting);
     generation++;
     // Points of another text may be others.
     canvas.leave();
+    canvas.zones = null;
     hands.unpose();
     menu.tell();
     resting = window.setTimeout(() => { resting = 0; void show(); }, why === "typed" ? REST : 0);
@@ -172,7 +190,7 @@ const start = async (): Promise<void> => {
     report: () => frame.report, knobs: () => last?.parameters ?? [],
     sample: (name, values, column, across) => engine.ask<Curve[]>("sample", [doc.text, name, values, column, across, LIVE_SECONDS], 60),
     set: async (values) => { shop.tune(values); await shop.tuned(); },
-    words: (name) => engine.ask(name, [doc.text], 60),
+    words: (name) => served ? served.words(name, doc.text) : engine.ask("words", [doc.text, name], 60),
   });
   canvas.onSelect = (thing) => { selected.show(thing); if (thing) tabs.choose("selected"); };
 
@@ -191,11 +209,12 @@ const start = async (): Promise<void> => {
   choose("pose");
   const fromAddress = async (): Promise<string | null> => { try { return await unpacked(location.hash); } catch { say(words.badLink, { bad: true }); return null; } };
   addEventListener("hashchange", async () => { const text = await fromAddress(); if (text !== null && text !== doc.text) menu.opened(text); });
-  const linked = served ? null : await fromAddress(), before = served || linked !== null ? null : remembered();
+  const linked = served ? null : await fromAddress(), before = served || host || linked !== null ? null : remembered();
   doc.open(file ?? linked ?? before ?? NEW);
   await show();
   if (before !== null && before !== NEW) say(words.restored, { act: [[words.startOver, () => menu.opened(NEW, "model.json")]] });
   document.documentElement.dataset.ready = "true";
+  host?.listen((text) => { if (text !== doc.text) menu.opened(text); });
   // What tests look at.
   Object.assign(window, { editor: {
     doc, engine, frame, canvas, choose, open: menu.opened, packed, unpacked,

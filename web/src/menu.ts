@@ -2,6 +2,7 @@
 import type { App } from "./app";
 import { course, textOf, type Lesson } from "./course";
 import { element, id } from "./element";
+import { gif } from "./gif";
 import type { Bundled } from "./linkdyn";
 import { Files, give, packed, type Served } from "./share";
 import type { Typing } from "./typing";
@@ -81,12 +82,13 @@ export const menu = ({ engine, frame, canvas, doc, say, failed, show, write, cho
   addEventListener("dragover", (event) => event.preventDefault());
   addEventListener("drop", (event) => { event.preventDefault(); take(event.dataTransfer?.files[0]); });
 
-  const EXPORTS: [string, string, string][] = [["results.csv", "csv", "text/csv"], ["summary.json", "summary", "application/json"], ["report.html", "page", "text/html"]];
+  const asked = (question: string, type: string) => async (): Promise<Blob> => new Blob([await engine.ask<string>(question)], { type });
+  const EXPORTS: [string, () => Promise<Blob>][] = [["results.csv", asked("csv", "text/csv")], ["summary.json", asked("summary", "application/json")], ["report.html", asked("page", "text/html")], ["motion.gif", () => gif(frame.report!)]];
   const exported = element("select", { "aria-label": file.export, title: file.export }, element("option", { value: "", text: file.export }), ...EXPORTS.map(([name], k) => element("option", { value: k, text: name })));
   exported.addEventListener("change", guarded(async () => {
-    const [name, question, type] = EXPORTS[Number(exported.value)]!;
+    const [name, made] = EXPORTS[Number(exported.value)]!;
     exported.value = "";
-    give(name, new Blob([await engine.ask<string>(question)], { type }));
+    give(name, await made());
   }));
 
   const underlay = new Underlay(canvas), picture = element("input", { type: "file", accept: "image/*", hidden: "", "aria-label": words.underlay.hint });

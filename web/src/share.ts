@@ -1,5 +1,7 @@
 // The model in the address, in the browser's store and in files. Nothing is sent to a server.
 
+import type { Picture } from "./linkdyn";
+
 const LONGEST = 4_000_000;
 
 const through = async (bytes: Uint8Array, stream: GenericTransformStream, longest = Infinity): Promise<Uint8Array> => {
@@ -124,6 +126,15 @@ export class Served {
     if (!answer.ok) throw new Error(await answer.text());
     [this.#version, this.saved] = [await answer.text(), text];
     return true;
+  }
+  /** The answer to a question in words, by the command. */
+  async words(name: string, text: string): Promise<string> { return (await this.#ask(`ask?${name}`, { method: "POST", body: text })).text(); }
+  /** What a run comes to, by the command: a line of what is drawn, then the numbers. */
+  async run(text: string): Promise<Picture> {
+    const answer = await this.#ask("run", { method: "POST", body: text });
+    if (!answer.ok) throw new Error(await answer.text());
+    const bytes = await answer.arrayBuffer(), end = new Uint8Array(bytes).indexOf(10);
+    return { facts: new TextDecoder().decode(bytes.slice(0, end)), values: new Float64Array(bytes.slice(end + 1)), failure: "" };
   }
   /** Tells of each text that another program saves; ends with the command. */
   async watch(take: (text: string) => void, ended: () => void): Promise<void> {

@@ -66,10 +66,8 @@ const answers: Record<string, (...args: any[]) => unknown> = {
     };
     return { value, across: of(across), values: of(column), failure };
   }),
-  check: (text: string) => based(text).checkText(),
-  statics: (text: string) => based(text).staticsText(),
-  modes: (text: string) => based(text).modesText(),
-  accuracy: (text: string) => based(text).accuracyText(),
+  words: (text: string, name: string) => based(text).words(name),
+  zones: (text: string) => JSON.parse(based(text).zones()),
   summary: () => desk.summary(),
   csv: () => desk.csv(),
   page: () => desk.reportPage(),

@@ -16,8 +16,10 @@ export const model = (name) => readFileSync(join(root, "models", `${name}.json`)
 let browser = null;
 export const close = async () => { await browser?.close(); browser = null; };
 
-/** The editor in a window, ready; what goes wrong on it is collected in `faults`. */
-export const open = async ({ width = 1440, height = 900, hash = "", ...options } = {}) => {
+/** The page itself. */
+export const html = readFileSync(PAGE, "utf8");
+/** A window; what goes wrong in it is collected in `faults`, what it asks the network for in `requests`. */
+export const window = async ({ width = 1440, height = 900, ...options } = {}) => {
   if (!found) throw new Error("Chromium is needed: apt-get install chromium");
   browser ??= await chromium.launch({ executablePath: found, args: ["--no-sandbox"] });
   const context = await browser.newContext({ viewport: { width, height }, ...options });
@@ -25,6 +27,12 @@ export const open = async ({ width = 1440, height = 900, hash = "", ...options }
   page.on("pageerror", (why) => faults.push(why.stack ?? why.message));
   page.on("console", (line) => { if (["error", "warning"].includes(line.type())) faults.push(line.text()); });
   page.on("request", (request) => { if (!/^(data|blob|about):/.test(request.url())) requests.push(request.url()); });
+  return { context, page, faults, requests };
+};
+
+/** The editor in a window, ready. */
+export const open = async ({ hash = "", ...options } = {}) => {
+  const { context, page, faults, requests } = await window(options);
   const began = performance.now();
   await page.goto(pathToFileURL(PAGE).href + hash);
   await page.waitForFunction(() => document.documentElement.dataset.ready === "true");

@@ -47,7 +47,7 @@ pub use rooms::{Free, Limited};
 pub use source::Scatter;
 pub use statistics::{Capability, Pins};
 pub use wanted::Levels;
-pub use words::{Deviating, Parameters, Refusal, Scope, accuracy};
+pub use words::{Deviating, Of, Parameters, Refusal, Scope, accuracy};
 
 use displaced::Mechanism;
 use levels::PoseAnalysis;

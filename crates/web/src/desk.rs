@@ -2,12 +2,10 @@
 
 use std::time::Duration;
 
-use linkdyn_ask::accuracy::Accuracy;
-use linkdyn_ask::check::Check;
-use linkdyn_ask::modes::Modes;
-use linkdyn_ask::run::{self, Run, typed, with_values};
-use linkdyn_ask::text::Page;
-use linkdyn_ask::{ModelFile, Question, Unanswered};
+use linkdyn_ask::accuracy::zones;
+use linkdyn_ask::editor::{drawn, thinned, words};
+use linkdyn_ask::run::{typed, with_values};
+use linkdyn_ask::{ModelFile, Unanswered};
 use linkdyn_engine::analysis::hand::Hand;
 use linkdyn_engine::analysis::{Control, Outcome};
 use linkdyn_output::{Stage, csv};
@@ -16,10 +14,12 @@ use serde_json::{Map, Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_time::Instant;
 
-use crate::picture::{self, Picture};
+use crate::picture::Picture;
 use crate::read;
 use crate::what::listen;
 
+/// Longest time for what nobody asked for \[s\].
+const ZONE_SECONDS: f64 = 2.0;
 /// What is said where nothing was read yet.
 const NOTHING: &str = "there is no model";
 
@@ -56,10 +56,18 @@ impl Desk {
 
     /// Runs the model's analysis, for so many seconds and with so many outputs at most; a model without one is drawn as it is assembled.
     pub fn run(&mut self, seconds: f64, outputs: usize) -> Picture {
-        self.drawn(|file| {
-            let fewer = picture::thinned(file, outputs);
-            picture::run(fewer.as_ref().unwrap_or(file), &limited(seconds))
-        })
+        let ran = self.file().and_then(|file| {
+            let fewer = thinned(file, outputs);
+            drawn(fewer.as_ref().unwrap_or(file), &limited(seconds))
+        });
+        match ran {
+            Ok((file, outcome)) => {
+                let picture = Picture::new(&file, &outcome);
+                self.ran = Some((file, outcome));
+                picture
+            }
+            Err(why) => Picture::without(why.to_string()),
+        }
     }
 
     /// The file's text with other values of parameters, in the file's units: JSON with `text`, or with `faults`.
@@ -83,34 +91,23 @@ impl Desk {
 /// What a page asks when it is told to.
 #[wasm_bindgen]
 impl Desk {
-    /// Mobility, loops and what is odd, in the words of the command.
-    #[wasm_bindgen(js_name = checkText)]
-    pub fn check_text(&self) -> String {
-        self.words(|file| Ok(Check.answer(file, &Control::default())?.text()))
+    /// The answer to one of `linkdyn_ask::editor::QUESTIONS`, in the words of its command.
+    pub fn words(&self, name: &str) -> String {
+        let told = self
+            .file()
+            .and_then(|file| words(file, name, &Control::default()));
+        match told {
+            Ok(page) => page.map_or_else(String::new, |page| page.text().to_owned()),
+            Err(why) => why.to_string(),
+        }
     }
 
-    /// The equilibrium, in the words of the command.
-    #[wasm_bindgen(js_name = staticsText)]
-    pub fn statics_text(&self) -> String {
-        self.words(|file| {
-            let file = file.with(&["analysis={\"type\":\"statics\"}".to_owned()])?;
-            let outcome = Run.answer(&file, &Control::default())?;
-            Ok(run::text(&file, &outcome))
-        })
-    }
-
-    /// Modes, in the words of the command.
-    #[wasm_bindgen(js_name = modesText)]
-    pub fn modes_text(&self) -> String {
-        let control = Control::default();
-        self.words(|file| Ok(Modes::default().answer(file, &control)?.text()))
-    }
-
-    /// What tolerances do to outputs, in the words of the command.
-    #[wasm_bindgen(js_name = accuracyText)]
-    pub fn accuracy_text(&self) -> String {
-        let control = Control::default();
-        self.words(|file| Ok(Accuracy::default().answer(file, &control)?.text()))
+    /// Where tolerances and clearances can carry the listed points, to first order: JSON, a list of zones.
+    pub fn zones(&self) -> String {
+        let zones = self
+            .file()
+            .and_then(|file| zones(file, &limited(ZONE_SECONDS)));
+        json!(zones.unwrap_or_default()).to_string()
     }
 
     /// `results.csv` of the last run.
@@ -150,20 +147,6 @@ impl Desk {
             .ok_or_else(|| Unanswered::question(NOTHING))
     }
 
-    fn drawn(
-        &mut self,
-        run: impl FnOnce(&ModelFile) -> Result<(ModelFile, Outcome), Unanswered>,
-    ) -> Picture {
-        match self.file().and_then(run) {
-            Ok((file, outcome)) => {
-                let picture = Picture::new(&file, &outcome);
-                self.ran = Some((file, outcome));
-                picture
-            }
-            Err(why) => Picture::without(why.to_string()),
-        }
-    }
-
     pub(crate) fn told(
         &self,
         answer: impl FnOnce(&ModelFile) -> Result<Value, Unanswered>,
@@ -171,11 +154,6 @@ impl Desk {
         let told = self.file().and_then(answer);
         told.unwrap_or_else(|why| read::faults(&self.text, why))
             .to_string()
-    }
-
-    fn words(&self, answer: impl FnOnce(&ModelFile) -> Result<Page, Unanswered>) -> String {
-        let told = self.file().and_then(answer);
-        told.map_or_else(|why| why.to_string(), |page| page.text().to_owned())
     }
 }
 

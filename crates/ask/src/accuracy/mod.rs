@@ -5,14 +5,17 @@ mod json;
 mod levels;
 mod page;
 mod text;
+mod zones;
 
 use std::num::NonZeroUsize;
 
 use linkdyn_engine::analysis::Control;
 use linkdyn_model::{Checked, Parameter};
-use linkdyn_variation::{Accuracy as Found, Levels, Parameters, Refusal, Scope, accuracy};
+use linkdyn_variation::{Accuracy as Found, Levels, Of, Parameters, Refusal, Scope, accuracy};
 
 use crate::{ModelFile, Question, Unanswered};
+
+pub use zones::{Zone, zones};
 
 /// Asks what tolerances and clearances do to outputs.
 #[derive(Debug, Clone, Default)]
@@ -51,18 +54,14 @@ impl Accuracy {
         control: &Control,
     ) -> Result<Deviations, Unanswered> {
         let scope = Scope {
-            outputs: &self.outputs,
+            of: Of::Outputs(&self.outputs),
             levels: self.levels,
             threads: self.threads,
         };
-        match found(file, known, scope, control) {
-            Ok(found) => Ok(Deviations {
-                file: file.clone(),
-                found,
-            }),
-            Err(Refusal::Input(complaints)) => Err(file.refused(complaints)),
-            Err(Refusal::Failed(message)) => Err(Unanswered::Failed(message)),
-        }
+        Ok(Deviations {
+            file: file.clone(),
+            found: found(file, known, scope, control)?,
+        })
     }
 }
 
@@ -72,7 +71,7 @@ fn found(
     known: &[Parameter],
     scope: Scope,
     control: &Control,
-) -> Result<Found, Refusal> {
+) -> Result<Found, Unanswered> {
     let loaded = &file.loaded;
     let limits: Vec<[f64; 2]> = known
         .iter()
@@ -97,5 +96,9 @@ fn found(
         enclosed: &|| dependence.within(&limits),
         with: &with,
     };
-    accuracy(&loaded.model, &parameters, scope, control)
+    let found = accuracy(&loaded.model, &parameters, scope, control);
+    found.map_err(|why| match why {
+        Refusal::Input(complaints) => file.refused(complaints),
+        Refusal::Failed(message) => Unanswered::Failed(message),
+    })
 }

@@ -22,4 +22,4 @@ mod question;
 mod sources;
 
 pub use parameters::{Deviating, Parameters};
-pub use question::{Refusal, Scope, accuracy};
+pub use question::{Of, Refusal, Scope, accuracy};

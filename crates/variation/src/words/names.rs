@@ -46,6 +46,11 @@ impl<'a> Names<'a> {
         })
     }
 
+    /// A point's coordinate along a direction.
+    pub fn along(&self, body: &str, point: &str, direction: Vec2) -> Option<Output> {
+        Some(Output::Coordinate(self.place(body, point)?, direction))
+    }
+
     /// The output that a column's name stands for; `None` if no position has it.
     pub fn column(&self, system: &System, name: &str) -> Option<Output> {
         let (owner, quantity) = name.rsplit_once('.')?;

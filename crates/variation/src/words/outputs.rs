@@ -6,9 +6,11 @@ use super::super::output::Output;
 use super::names::Names;
 use linkdyn_engine::analysis::channels::{Channels, Contents};
 use linkdyn_engine::system::System;
+use linkdyn_linear::math::Vec2;
 use linkdyn_model::error::Complaint;
-use linkdyn_model::{AccuracyOutput, Measured, Model, nearest};
+use linkdyn_model::{AccuracyOutput, Measured, Model, PointRef, nearest};
 use linkdyn_output::Channel;
+use std::f64::consts::PI;
 
 /// The request.
 #[derive(Default)]
@@ -90,6 +92,29 @@ pub(super) fn wanted(
         }
     }
     Ok(found)
+}
+
+/// Points along directions over half a turn; a point that there is not is left out.
+pub(super) fn along(names: &Names, points: &[PointRef], directions: usize) -> Outputs {
+    let mut found = Outputs::default();
+    for point in points {
+        for k in 0..directions {
+            let angle = PI * k as f64 / directions as f64;
+            let direction = Vec2::new(angle.cos(), angle.sin());
+            let Some(output) = names.along(&point.body, &point.point, direction) else {
+                continue;
+            };
+            found.positions.push(Wanted {
+                name: point.to_string(),
+                of: point.to_string(),
+                output,
+                unit: "m",
+                at: None,
+                limits: None,
+            });
+        }
+    }
+    found
 }
 
 /// A number that is asked about.

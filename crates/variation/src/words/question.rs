@@ -7,14 +7,14 @@ use super::super::{Accuracy, Levels, Question, forces, run};
 use super::dimensions::{dimension_values, dimensions};
 use super::forces::{making, refuse, scales};
 use super::names::Names;
-use super::outputs::wanted;
+use super::outputs::{along, wanted};
 use super::parameters::{Followed, Parameters, Straightness};
 use super::sources::{levels, pins, sources};
 use linkdyn_engine::analysis::question::instants;
 use linkdyn_engine::analysis::{Control, Stop};
 use linkdyn_engine::system::compile::compile_geometry;
 use linkdyn_model::error::{Complaint, Complaints};
-use linkdyn_model::{AnalysisKind, Checked, DriverKind, Joint, JointKind, Model};
+use linkdyn_model::{AnalysisKind, Checked, DriverKind, Joint, JointKind, Model, PointRef};
 use std::num::NonZeroUsize;
 
 /// Why there is no answer.
@@ -47,11 +47,26 @@ impl From<Complaints> for Refusal {
     }
 }
 
+/// Which outputs are wanted.
+#[derive(Debug, Clone, Copy)]
+pub enum Of<'a> {
+    /// Those of the model's `accuracy`, by name; empty: all.
+    Outputs(&'a [String]),
+    /// Places of points along directions over half a turn, x·cos kπ/n + y·sin kπ/n for k = 0 … n − 1, at every instant: point after point.
+    Points(&'a [PointRef], usize),
+}
+
+impl Default for Of<'_> {
+    fn default() -> Self {
+        Of::Outputs(&[])
+    }
+}
+
 /// What of a model's question is wanted.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Scope<'a> {
-    /// Names of outputs; empty: all.
-    pub outputs: &'a [String],
+    /// Which outputs.
+    pub of: Of<'a>,
     /// None: those that the model says.
     pub levels: Option<Levels>,
     /// Threads that share the poses of a stroke; none: one. The answer does not hang on it.
@@ -73,7 +88,10 @@ pub fn accuracy(
     let ideal = model.with_clearances(|_| false);
     let system = compile_geometry(&ideal)?;
     let names = Names::new(&ideal);
-    let outputs = wanted(&ideal, &system, &names, scope.outputs)?;
+    let outputs = match scope.of {
+        Of::Outputs(only) => wanted(&ideal, &system, &names, only)?,
+        Of::Points(points, directions) => along(&names, points, directions),
+    };
     let Some(analysis) = &ideal.analysis else {
         let hint = "add \"analysis\": { \"type\": \"kinematics\", \"end\": 1, \"outputs\": 101 }";
         return Err(Complaint::new(
