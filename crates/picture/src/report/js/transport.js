@@ -28,7 +28,7 @@
   const flag = () => { id("marks").replaceChildren(); if (linkdyn.rows > 1) for (const event of summary.events.slice(0, 300)) {
     const [from, to] = [event.time, linkdyn.eventEnd(event)].map((instant) => 100 * player.rowAt(instant) / (linkdyn.rows - 1));
     const words = `${linkdyn.eventWord(event)} at ${units.number(event.time, 6)} s${event.joint === undefined ? "" : ` (joint ${plain(event.joint)})`}`;
-    const mark = element("button", { type: "button", className: to > from ? "span" : "", title: words, "aria-label": words, tabindex: "-1", on: { click: () => { player.pause(); player.seek(player.rowAt(event.time)); } } });
+    const mark = element("button", { type: "button", className: `${to > from ? "span " : ""}${event.type}`, title: words, "aria-label": words, tabindex: "-1", on: { click: () => { player.pause(); player.seek(player.rowAt(event.time)); } } });
     mark.style.left = `${from}%`;
     if (to > from) mark.style.width = `${to - from}%`;
     id("marks").append(mark);
