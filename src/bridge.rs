@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use linkdyn_ask::run::{parameters, with_values};
 use linkdyn_ask::{ModelFile, study};
 use linkdyn_engine::analysis::Control;
 use linkdyn_model::FileAccess;
@@ -38,6 +39,24 @@ pub fn read(
 /// [`Error::Model`] where a path leads nowhere, or the model has faults with these values.
 pub fn set(mechanism: &Mechanism, sets: Vec<String>) -> Result<Mechanism, Error> {
     mechanism.set_all(sets)
+}
+
+/// The parameters that have numbers of their own: names, numbers in the file's units, and these units.
+///
+/// # Errors
+/// As [`Mechanism::ask`].
+pub fn knobs(mechanism: &Mechanism) -> Result<Vec<(String, f64, String)>, Error> {
+    let all = parameters(&mechanism.as_file()?).into_iter();
+    Ok(all.map(|knob| (knob.name, knob.value, knob.unit)).collect())
+}
+
+/// The text of the mechanism's file with other numbers for such parameters; all other characters stay.
+///
+/// # Errors
+/// A parameter that has no number in the file.
+pub fn rewritten(mechanism: &Mechanism, values: &[(&str, f64)]) -> Result<String, Error> {
+    let text = with_values(&mechanism.as_file()?, values)?;
+    Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
 /// What a text such as `90 mm` says in SI, and its SI unit.

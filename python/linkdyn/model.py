@@ -9,7 +9,7 @@ from errno import ENOENT
 from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -24,6 +24,9 @@ from .run import Run
 from .simulation import Simulation
 from .study import Asked, Study
 from .values import DIMENSIONS, Values, as_list, bounds, one_by_one
+
+if TYPE_CHECKING:
+    from .editor import Editor
 
 __all__ = ["Model", "Source", "Value", "load", "models"]
 
@@ -149,6 +152,29 @@ class Model:
         path = Path(path)
         path.write_text(self.to_json() + "\n", "utf-8")
         return path
+
+    def edit(self, page: str | PathLike[str] | None = None, *, height: int = 720) -> Editor:
+        """The model in the editor, in a notebook: it is drawn, dragged and typed there, and its text and parameters are shared.
+
+        :param page: the file ``editor.html``; by default that of the environment's LINKDYN_EDITOR, or the package's own.
+        :param height: of the widget [pixels].
+        :raises ImportError: without anywidget: ``pip install linkdyn[notebook]``.
+        :raises FileNotFoundError: where there is no such page.
+        """
+        try:
+            from .editor import Editor
+        except ModuleNotFoundError as fault:
+            raise ImportError("the editor in a notebook needs anywidget: pip install linkdyn[notebook]") from fault
+        text = self._text.decode() if self._text and not self._sets else self.to_json()
+        return Editor(text, page, height)
+
+    def _knobs(self) -> dict[str, float]:
+        """Numbers of the parameters that have one of their own, in the file's units."""
+        return {name: value for name, value, _ in self._core.knobs()}
+
+    def _rewritten(self, values: Mapping[str, float]) -> str:
+        """The text of the file with other numbers for such parameters."""
+        return self._core.rewritten(list(values.items()))
 
     def set(self, values: Mapping[str, Value]) -> Model:
         """A copy with values set, all at once. Values are those of a model file: plain numbers are in its units.

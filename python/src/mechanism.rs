@@ -85,6 +85,22 @@ impl Mechanism {
         at_once(py, || self.mechanism.to_json())
     }
 
+    /// Name, number in the file's unit and this unit of each parameter that has a number of its own.
+    fn knobs(&self, py: Python<'_>) -> PyResult<Vec<(String, f64, String)>> {
+        let found = at_once(py, || bridge::knobs(&self.mechanism))?;
+        found.map_err(|error| exception(py, &error))
+    }
+
+    /// The text of the file with other numbers for such parameters.
+    fn rewritten(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<String> {
+        let values: Vec<(&str, f64)> = values
+            .iter()
+            .map(|(name, value)| (&**name, *value))
+            .collect();
+        let text = at_once(py, || bridge::rewritten(&self.mechanism, &values))?;
+        text.map_err(|error| exception(py, &error))
+    }
+
     /// Runs the analysis; what stopped it from Python comes second.
     #[pyo3(signature = (timeout=None, told=None))]
     fn run(
