@@ -66,8 +66,8 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
     }
     let running = Running::default();
     let answers = move |request: &Request, asked: &str| match (request.method.as_str(), asked) {
-        ("POST", "ask") => worded(request, &running),
-        ("POST", "run") => ran(request, &running),
+        ("POST", "ask") => worded(sent(request, &path), &request.query, &running),
+        ("POST", "run") => ran(sent(request, &path), &running),
         _ => answer(&page, &path, request, asked),
     };
     let server = Server::start(LONGEST, Box::new(answers));
@@ -145,10 +145,11 @@ impl Running {
 }
 
 /// The model that a page has sent.
-fn sent(request: &Request) -> Result<ModelFile, Unanswered> {
+fn sent(request: &Request, path: &Path) -> Result<ModelFile, Unanswered> {
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
     let text = Text::new(
-        "sketch".into(),
-        "sketch".into(),
+        name.clone().into_owned(),
+        name.into_owned(),
         request.body.clone(),
         FileAccess::default(),
     );
@@ -156,9 +157,9 @@ fn sent(request: &Request) -> Result<ModelFile, Unanswered> {
 }
 
 /// The answer to the question that is named, in words; they say, too, why there is none.
-fn worded(request: &Request, running: &Running) -> Answer {
+fn worded(sent: Result<ModelFile, Unanswered>, name: &str, running: &Running) -> Answer {
     let control = running.next();
-    match sent(request).and_then(|file| editor::words(&file, &request.query, &control)) {
+    match sent.and_then(|file| editor::words(&file, name, &control)) {
         Ok(Some(page)) => Answer::new(200, TEXT, page.text()),
         Ok(None) => Answer::bare(404),
         Err(why) => Answer::new(200, TEXT, why.to_string()),
@@ -166,9 +167,9 @@ fn worded(request: &Request, running: &Running) -> Answer {
 }
 
 /// What a run comes to: a line of JSON with what is drawn, then its numbers, of 8 bytes each, the lowest first.
-fn ran(request: &Request, running: &Running) -> Answer {
+fn ran(sent: Result<ModelFile, Unanswered>, running: &Running) -> Answer {
     let control = running.next();
-    match sent(request).and_then(|file| editor::drawn(&file, &control)) {
+    match sent.and_then(|file| editor::drawn(&file, &control)) {
         Ok((file, outcome)) => {
             let (facts, values) = file.origin().numbers(&outcome);
             let mut body = facts.into_bytes();
