@@ -22,8 +22,9 @@ _PAGE = "editor.html"
 class Editor(anywidget.AnyWidget):
     """A model that is drawn, dragged and typed in a notebook; :meth:`linkdyn.Model.edit` makes one.
 
-    ``text`` is the text of the model file, ``parameters`` the numbers of its parameters in the file's units, ``height`` that of the
-    widget [pixels]. All are traits: they may be set, observed and linked. A text with faults leaves the parameters as they are.
+    ``text`` is the text of the model file, ``parameters`` the numbers of its parameters in the file's units, ``height``
+    that of the widget [pixels]. All are traits: they may be set, observed and linked. A text with faults leaves the
+    parameters as they are.
     """
 
     _esm = _HERE / "editor.js"
@@ -75,7 +76,7 @@ def _page(path: str | os.PathLike[str] | None) -> str:
     place = Path(path or os.environ.get("LINKDYN_EDITOR") or _HERE / _PAGE)
     if not place.is_file():
         raise FileNotFoundError(
-            f"{place}: the page of the editor is not there; it comes with released wheels, and `node web/build.mjs` makes it as"
-            " web/dist/editor.html: give it as edit(page=...) or in the environment as LINKDYN_EDITOR"
+            f"{place}: the page of the editor is not there; it comes with released wheels, and `node web/build.mjs` makes it"
+            " as web/dist/editor.html: give it as edit(page=...) or in the environment as LINKDYN_EDITOR"
         )
     return place.read_text("utf-8")

@@ -154,7 +154,7 @@ class Model:
         return path
 
     def edit(self, page: str | PathLike[str] | None = None, *, height: int = 720) -> Editor:
-        """The model in the editor, in a notebook: it is drawn, dragged and typed there, and its text and parameters are shared.
+        """The model in the editor, in a notebook: it is drawn, dragged and typed there; text and parameters are shared.
 
         :param page: the file ``editor.html``; by default that of the environment's LINKDYN_EDITOR, or the package's own.
         :param height: of the widget [pixels].
