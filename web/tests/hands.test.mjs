@@ -54,7 +54,7 @@ const CHANGES = Number(process.env.LINKDYN_CHANGES ?? 4), DRAWN = ["bar", "point
 test("random drags and edits: no fault, no silent flip, undo to the first byte, text and drawing agree", async () => {
   const it = await open();
   let state = 11, drags = 0, edits = 0, told = 0;
-  const random = () => (state = (state * 1103515245 + 12345) % 2147483648) / 2147483648, one = (list) => list[Math.floor(random() * list.length)];
+  const random = () => (state = Math.imul(state ^ (state >>> 15), 0x2c1b3c6d) + 0x9e3779b9 >>> 0, state ^= state >>> 12, (state >>> 0) / 4294967296), one = (list) => list[Math.floor(random() * list.length)];
   // Angles of the bodies that move, at the instant that is shown; nothing where drivers leave freedom, which goes where it wants.
   const angles = () => it.editor(() => {
     const { report } = window.editor.frame, { mobility } = report.summary, { row } = report.player;
