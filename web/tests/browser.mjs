@@ -13,6 +13,14 @@ const found = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/googl
 export const names = readdirSync(join(root, "models")).filter((name) => name.endsWith(".json")).map((name) => name.slice(0, -5));
 export const model = (name) => readFileSync(join(root, "models", `${name}.json`), "utf8");
 
+/** Numbers from 0 to 1 that repeat with the seed (a hash of a counter). */
+export const randoms = (seed) => () => {
+  seed = seed + 0x9e3779b9 | 0;
+  let mixed = Math.imul(seed ^ seed >>> 16, 0x21f0aaad);
+  mixed = Math.imul(mixed ^ mixed >>> 15, 0x735a2d97);
+  return ((mixed ^ mixed >>> 15) >>> 0) / 2 ** 32;
+};
+
 let browser = null;
 export const close = async () => { await browser?.close(); browser = null; };
 

@@ -1,7 +1,7 @@
 // Two hands: one moves the mechanism, the other its dimensions.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, model, names, open } from "./browser.mjs";
+import { close, model, names, open, randoms } from "./browser.mjs";
 
 after(close);
 
@@ -53,8 +53,8 @@ const CHANGES = Number(process.env.LINKDYN_CHANGES ?? 4), DRAWN = ["bar", "point
 
 test("random drags and edits: no fault, no silent flip, undo to the first byte, text and drawing agree", async () => {
   const it = await open();
-  let state = 11, drags = 0, edits = 0, told = 0;
-  const random = () => (state = Math.imul(state ^ (state >>> 15), 0x2c1b3c6d) + 0x9e3779b9 >>> 0, state ^= state >>> 12, (state >>> 0) / 4294967296), one = (list) => list[Math.floor(random() * list.length)];
+  let drags = 0, edits = 0, told = 0;
+  const random = randoms(11), one = (list) => list[Math.floor(random() * list.length)];
   // Angles of the bodies that move, at the instant that is shown; nothing where drivers leave freedom, which goes where it wants.
   const angles = () => it.editor(() => {
     const { report } = window.editor.frame, { mobility } = report.summary, { row } = report.player;

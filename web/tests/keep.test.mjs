@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { close, model, names, open } from "./browser.mjs";
+import { close, model, names, open, randoms } from "./browser.mjs";
 
 after(close);
 const link = (bytes) => `#m=${deflateRawSync(bytes, { level: 9 }).toString("base64url")}`;
@@ -51,12 +51,14 @@ test("nothing hostile acts, hangs or breaks the page", async () => {
   }
 });
 
+// How many of each model; for longer: LINKDYN_MUTANTS=350 node --test tests/keep.test.mjs
+const MUTANTS = Number(process.env.LINKDYN_MUTANTS ?? 30);
+
 test("mutants of files are answered in time, by the engine without a trap", async () => {
   const it = await open();
-  let state = 5;
-  const random = (below) => { state = (state * 1103515245 + 12345) % 2147483648; return Math.floor(state / 2147483648 * below); };
+  const number = randoms(5), random = (below) => Math.floor(number() * below);
   const pieces = ["\"", "{", "}", "[", "]", ",", ":", "0", "-1e308", "null", "\"=x\"", "1e999", "\\u0000", "\"mm\"", " ", "true"];
-  const mutants = names.filter((name) => !["walking-strandbeest", "nfourbar"].includes(name)).flatMap((name) => Array.from({ length: 30 }, () => {
+  const mutants = names.filter((name) => !["walking-strandbeest", "nfourbar"].includes(name)).flatMap((name) => Array.from({ length: MUTANTS }, () => {
     let text = model(name);
     for (let k = 1 + random(3); k > 0; k--) { const at = random(text.length), cut = random(4) ? random(3) : random(80); text = text.slice(0, at) + pieces[random(pieces.length)] + text.slice(at + cut); }
     return text;
