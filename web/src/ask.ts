@@ -40,6 +40,7 @@ export class Ask {
       this.#answer.textContent = words.computing;
       act().catch((why) => { this.#answer.textContent = (why as Error).message; });
     } } });
+    for (const select of [this.#column, this.#parameter]) select.addEventListener("change", () => { select.dataset.chosen = "true"; });
     this.#root.replaceChildren(
       element("div", { className: "row" }, ...QUESTIONS.map(([name, text]) => button(text, async () => { this.#chart.replaceChildren(); this.#answer.textContent = await asking.words(name); }))),
       row(words.ask.column, this.#column), row(words.ask.parameter, this.#parameter), row(words.ask.measure, this.#measure), row(words.ask.goal, this.#goal),
@@ -53,7 +54,8 @@ export class Ask {
       if (names.join("\n") === [...select.options].map(({ value }) => value).join("\n")) return;
       const before = select.value;
       select.replaceChildren(...names.map((name) => element("option", { text: name, value: name })));
-      if (names.includes(before)) select.value = before;
+      // What the reader chose stays.
+      if (select.dataset.chosen && names.includes(before)) select.value = before;
     };
     const report = this.#asking.report(), rank = ({ name }: { name: string }) => [/\.effort$/, /^[^.]+\.[^.]+\.[xy]$/, /\.angle$/, /^joint\..*\.f$/].findIndex((own) => own.test(name)) >>> 0;
     const columns = (report?.columns ?? []).filter(({ wanted, name }) => wanted && name !== "time");

@@ -27,7 +27,7 @@ export const zoned = (zones: Zone[], report: Report): Layer | null => {
   if (!(largest > 0)) return null;
   const end = (name: string): End => { const [body, point] = name.split("."), k = bodies.findIndex((own) => own.name === body); return [k, bodies[k]?.points.findIndex(([own]) => own === point) ?? -1]; };
   const bands = zones.map(({ point, times, corners }) => { const at = end(point); return { rows: times.map((time) => report.player.rowAt(time)), at, corners }; }).filter(({ at }) => at[1] >= 0);
-  return ({ pen, to, scale, row, colours }) => {
+  return ({ pen, to, scale, row, colours, height }) => {
     const factor = round(FAR / (largest * scale));
     const placed = (corners: Place[], at: Place | null): Place[] => at ? corners.map(([x, y]) => to([at[0] + factor * x, at[1] + factor * y])) : [];
     const path = (corners: Place[]): void => { corners.forEach((own, k) => k ? pen.lineTo(...own) : pen.moveTo(...own)); if (corners.length) pen.closePath(); };
@@ -51,9 +51,9 @@ export const zoned = (zones: Zone[], report: Report): Layer | null => {
     }
     pen.globalAlpha = 1;
     pen.font = "12px system-ui, sans-serif";
-    pen.textBaseline = "top";
+    pen.textBaseline = "bottom";
     pen.fillStyle = colours.muted;
-    pen.fillText(words.zones(factor), 12, 12);
+    pen.fillText(words.zones(factor), 14, height - 36);
     pen.restore();
   };
 };
