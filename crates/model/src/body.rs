@@ -1,5 +1,6 @@
 //! Bodies: points, mass, pose guess, and initial values.
 
+use crate::section::LinkSection;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
@@ -19,6 +20,8 @@ pub struct Body {
     pub point_tolerances: IndexMap<String, f64>,
     /// Where the body's frame is guessed to be.
     pub pose: Pose,
+    /// Its cross-section, of a straight link of which internal forces are requested.
+    pub section: Option<Box<LinkSection>>,
 }
 
 /// Guess of a body frame's place for the assembly.
@@ -62,6 +65,8 @@ struct BodyWords {
     points: IndexMap<String, PointWords>,
     #[serde(default)]
     pose: Pose,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    section: Option<Box<LinkSection>>,
 }
 
 /// Two coordinates, or these with a tolerance.
@@ -84,6 +89,7 @@ impl From<BodyWords> for Body {
             points: IndexMap::with_capacity(words.points.len()),
             point_tolerances: IndexMap::new(),
             pose: words.pose,
+            section: words.section,
         };
         for (name, place) in words.points {
             let (position, tolerance) = match place {
@@ -119,6 +125,7 @@ impl From<Body> for BodyWords {
             com: body.com,
             points: body.points.into_iter().map(place).collect(),
             pose: body.pose,
+            section: body.section,
         }
     }
 }

@@ -45,6 +45,14 @@ pub enum Dimension {
     Inductance,
     /// Torque by current [N·m/A].
     TorqueConstant,
+    /// An area [m²].
+    Area,
+    /// A section modulus [m³].
+    SectionModulus,
+    /// A second moment of area [m⁴].
+    SecondMoment,
+    /// A density [kg/m³].
+    Density,
 }
 
 /// Exponents of length, mass, time and angle.
@@ -92,12 +100,16 @@ impl Dimension {
     ];
 
     /// All others: plain numbers of these are always in SI.
-    const ALWAYS_SI: [Dimension; 5] = [
+    const ALWAYS_SI: [Dimension; 9] = [
         Dimension::Frequency,
         Dimension::Voltage,
         Dimension::Resistance,
         Dimension::Inductance,
         Dimension::TorqueConstant,
+        Dimension::Area,
+        Dimension::SectionModulus,
+        Dimension::SecondMoment,
+        Dimension::Density,
     ];
 
     /// Name in `units`, SI unit, and exponents.
@@ -126,6 +138,10 @@ impl Dimension {
             Dimension::Resistance => ("resistance", "ohm", powers(2, 1, -3, 0)),
             Dimension::Inductance => ("inductance", "H", powers(2, 1, -2, 0)),
             Dimension::TorqueConstant => ("torque_constant", "N*m/A", powers(2, 1, -2, 0)),
+            Dimension::Area => ("area", "m^2", powers(2, 0, 0, 0)),
+            Dimension::SectionModulus => ("section_modulus", "m^3", powers(3, 0, 0, 0)),
+            Dimension::SecondMoment => ("second_moment", "m^4", powers(4, 0, 0, 0)),
+            Dimension::Density => ("density", "kg/m^3", powers(-3, 1, 0, 0)),
         }
     }
 

@@ -60,7 +60,7 @@ const GEAR: &str = r#""axis": [1, 0] },
     "g": { "type": "gear", "between": ["crank.O", "rocker.Q"], "ratio": -2 }"#;
 
 /// The bad models by theme.
-const CASES: [&[Case]; 14] = [
+const CASES: [&[Case]; 15] = [
     cases::words::CASES,
     cases::yielding::CASES,
     cases::expressions::CASES,
@@ -73,6 +73,7 @@ const CASES: [&[Case]; 14] = [
     cases::syntax::CASES,
     cases::tolerances::CASES,
     cases::parts::CASES,
+    cases::sections::CASES,
     cases::sets::CASES,
     cases::slips::CASES,
 ];

@@ -19,6 +19,7 @@ mod outputs;
 mod parts;
 mod ranges;
 mod responses;
+mod sections;
 mod states;
 mod stops;
 mod tables;
@@ -151,6 +152,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     }
     names::references(&mut rules, &named);
     rules.bodies();
+    sections::sections(&mut rules);
     rules.joints();
     drivers::drivers(&mut rules);
     forces::forces(&mut rules);

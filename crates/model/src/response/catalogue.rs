@@ -29,6 +29,8 @@ pub struct Catalogue {
     pub(super) states: Vec<(String, Powers)>,
     /// Measures, and whether each is an angle.
     pub(super) measures: Vec<(String, bool)>,
+    /// Bodies with a cross-section, and their numbers of stations.
+    pub(super) sections: Vec<(String, usize)>,
     /// What drives and what is driven, where the analysis wants a transmission.
     pub(super) transmission: Option<[Dimension; 2]>,
 }
@@ -61,6 +63,9 @@ impl Catalogue {
         let mut catalogue = Catalogue::default();
         for (name, body) in bodies {
             catalogue.body(name, body.points.keys().map(String::as_str), &wanted);
+            let section = body.section.as_deref();
+            let section = section.map(|section| (name.clone(), section.stations.unwrap_or(5)));
+            catalogue.sections.extend(section);
         }
         for (name, joint) in &model.joints {
             catalogue.joints.push(JointNames {
@@ -165,6 +170,15 @@ impl Catalogue {
                 _ => Vec::new(),
             };
             catalogue.body(name, points.into_iter(), &wanted);
+            let section = member.node.get("section").map(|section| {
+                let stations = match section.get("stations").map(|node| &node.kind) {
+                    Some(Kind::Number(number)) => number.as_u64(),
+                    _ => None,
+                };
+                let stations = stations.and_then(|count| usize::try_from(count).ok());
+                (name.clone(), stations.unwrap_or(5))
+            });
+            catalogue.sections.extend(section);
         }
         for (name, member) in members("joints") {
             let slides = matches!(kind(&member.node).as_deref(), Some("prismatic" | "slot"));

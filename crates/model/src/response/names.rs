@@ -75,6 +75,21 @@ fn shown(word: &str) -> Option<Powers> {
     Some(dimension.powers())
 }
 
+/// Of bodies with a cross-section: at each station, and along the whole axis.
+const STATION: [(&str, Dimension); 3] = [
+    ("axial_force", Dimension::Force),
+    ("shear_force", Dimension::Force),
+    ("bending_moment", Dimension::Torque),
+];
+const SECTION: [(&str, Dimension); 6] = [
+    ("tension", Dimension::Force),
+    ("compression", Dimension::Force),
+    ("shear_force", Dimension::Force),
+    ("bending_moment", Dimension::Torque),
+    ("stress", Dimension::Stress),
+    ("stress_at", Dimension::Length),
+];
+
 const TRANSMISSION: [&str; 2] = ["ratio", "advantage"];
 
 const ENERGY: [&str; 4] = ["kinetic", "potential", "contact", "dissipated"];
@@ -173,6 +188,19 @@ impl Catalogue {
                 }
             }
             ("measure", measure) if word == "rate" => self.measure(measure, 1),
+            ("section", body) => {
+                let (_, stations) = self.sections.iter().find(|one| one.0 == body)?;
+                let of_station = || {
+                    let (kind, station) = word.rsplit_once('_')?;
+                    let station: usize = station.parse().ok()?;
+                    (1..=*stations).contains(&station).then_some(())?;
+                    of(&STATION, kind)
+                };
+                match word {
+                    "buckling" => Some(Powers::default()),
+                    word => of(&SECTION, word).or_else(of_station),
+                }
+            }
             ("state", state) if word == "rate" => Some(self.state(state)?.per_second(1)),
             ("force", force) => {
                 let (_, words) = self.force_words().find(|(name, _)| *name == force)?;
@@ -306,6 +334,12 @@ impl Catalogue {
         names.extend(SHAKING.map(|row| format!("shaking.{}", row.0)));
         for (name, words) in self.force_words() {
             names.extend(words.iter().map(|word| format!("force.{name}.{word}")));
+        }
+        for (body, stations) in &self.sections {
+            let words = SECTION.map(|row| row.0).into_iter().chain(["buckling"]);
+            names.extend(words.map(|word| format!("section.{body}.{word}")));
+            let of = |station| STATION.map(|row| format!("section.{body}.{}_{station}", row.0));
+            names.extend((1..=*stations).flat_map(of));
         }
         names.extend(self.outputs.iter().map(|one| format!("output.{}", one.0)));
         names.extend(self.measured());

@@ -10,6 +10,7 @@ pub mod expressions;
 pub mod joints;
 pub mod laws;
 pub mod parts;
+pub mod sections;
 pub mod sets;
 pub mod slips;
 pub mod syntax;
