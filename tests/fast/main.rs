@@ -68,6 +68,7 @@ mod racks;
 mod responses;
 mod rolling;
 mod schema;
+mod sections;
 mod several_freedoms;
 mod shaking;
 mod side_by_side;

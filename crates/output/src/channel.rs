@@ -34,6 +34,8 @@ pub enum Channel {
     State(usize, StateQuantity),
     /// A measure of the model.
     Measure(usize, StateQuantity),
+    /// What a body with a cross-section carries inside.
+    Section(usize, SectionQuantity),
 }
 
 /// An integrated state or a measure, in the SI unit of its own.
@@ -192,6 +194,31 @@ pub enum LoadQuantity {
     Current,
 }
 
+/// What a straight link carries inside: at its stations, counted from 0, and the largest along its axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SectionQuantity {
+    /// N at a station \[N\]: positive in tension.
+    AxialForce(usize),
+    /// V at a station \[N\].
+    ShearForce(usize),
+    /// M at a station [N·m].
+    BendingMoment(usize),
+    /// Largest N along the axis \[N\], zero where none is positive.
+    Tension,
+    /// Largest −N along the axis \[N\], zero where none is positive.
+    Compression,
+    /// Largest |V| along the axis \[N\].
+    Shear,
+    /// Largest |M| along the axis [N·m].
+    Bending,
+    /// Largest |σ| along the axis and of both extreme fibres \[Pa\].
+    Stress,
+    /// Where that is, from the beginning of the axis \[m\].
+    StressAt,
+    /// Compression by the buckling load \[–\].
+    Buckling,
+}
+
 /// What reaches the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ShakingQuantity {
@@ -231,6 +258,7 @@ impl Channel {
             Channel::Time
             | Channel::State(..)
             | Channel::Measure(..)
+            | Channel::Section(..)
             | Channel::Joint(..)
             | Channel::Driver(..)
             | Channel::Energy(_)
@@ -324,6 +352,23 @@ impl LoadQuantity {
             | LoadQuantity::Power
             | LoadQuantity::Current
             | LoadQuantity::Stop => None,
+        }
+    }
+}
+
+impl SectionQuantity {
+    /// The unit of the column.
+    pub fn unit(self) -> &'static str {
+        match self {
+            SectionQuantity::AxialForce(_)
+            | SectionQuantity::ShearForce(_)
+            | SectionQuantity::Tension
+            | SectionQuantity::Compression
+            | SectionQuantity::Shear => "N",
+            SectionQuantity::BendingMoment(_) | SectionQuantity::Bending => "N*m",
+            SectionQuantity::Stress => "Pa",
+            SectionQuantity::StressAt => "m",
+            SectionQuantity::Buckling => "1",
         }
     }
 }

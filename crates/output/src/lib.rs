@@ -21,7 +21,7 @@ mod unbounded;
 pub use channel::StateQuantity;
 pub use channel::{
     BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
-    PointQuantity, RelativeQuantity, ShakingQuantity, TransmissionQuantity,
+    PointQuantity, RelativeQuantity, SectionQuantity, ShakingQuantity, TransmissionQuantity,
 };
 pub use column::{Column, ColumnId, ColumnView};
 pub use comparison::Comparison;
@@ -131,6 +131,9 @@ pub struct Quality {
     /// Largest change of kinetic + potential + contact energy + dissipated − work, divided by the largest of these [–]; of
     /// motions with contacts.
     pub energy_imbalance: Option<f64>,
+    /// Largest force that is left over on a link with a cross-section, divided by the largest sum of those on one [–]; of links with
+    /// one.
+    pub section_imbalance: Option<f64>,
 }
 
 /// What statics found out about its equilibrium.

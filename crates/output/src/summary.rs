@@ -104,6 +104,9 @@ pub fn facts(summary: &Summary) -> Map<String, Value> {
             "energy_imbalance": report.quality.energy_imbalance,
         }),
     );
+    if let Some(imbalance) = report.quality.section_imbalance {
+        json["quality"]["section_imbalance"] = imbalance.into();
+    }
     if !summary.responses.is_null() {
         json.insert("responses".into(), summary.responses.clone());
     }

@@ -154,6 +154,7 @@ pub fn quantity_words(channel: Channel) -> &'static str {
         Channel::Output(_) => "ratio",
         Channel::State(..) => "state",
         Channel::Measure(..) => "measure",
+        Channel::Section(_, quantity) => quantity.kind(),
     }
 }
 

@@ -71,6 +71,7 @@ fn quality(quality: &Quality) -> String {
         ("power imbalance", quality.power_imbalance),
         ("energy drift", quality.energy_drift),
         ("energy imbalance", quality.energy_imbalance),
+        ("section imbalance", quality.section_imbalance),
     ];
     if quality.constraint_residual.is_nan() {
         return "nothing is solved".into();

@@ -221,6 +221,7 @@ impl<'s> Acting<'s> {
             ForceRole::Load {
                 vector: [x, y],
                 frame,
+                ..
             } => {
                 let given = Vec2::new(x.value(&at), y.value(&at));
                 let force = at.poses[frame.0].turn(given);

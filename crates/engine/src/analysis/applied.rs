@@ -35,6 +35,7 @@ impl<'s> Loads<'s> {
                 ForceRole::Load {
                     vector: [x, y],
                     frame,
+                    ..
                 } => {
                     add(&[LoadQuantity::Fx, LoadQuantity::Fy]);
                     // Without the body's pose in the table its axes are taken for the ground's.

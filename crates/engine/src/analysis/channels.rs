@@ -6,11 +6,12 @@
 
 use super::readings::{BodyReading, JointReading, PointReading, energy, stroke, strokes};
 use super::sample::Sample;
+use super::section::{self, Actions, SectionReading};
 use crate::element::Measure;
 use crate::system::{Evaluation, Inputs, JointData, System};
 use linkdyn_output::{
     BodyQuantity, Channel, Column, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
-    PointQuantity, StateQuantity,
+    PointQuantity, SectionQuantity, StateQuantity,
 };
 use std::sync::Arc;
 
@@ -34,6 +35,11 @@ pub struct Channels {
     stretches: Vec<ColumnGroup>,
 }
 
+/// The larger of each two.
+pub fn larger([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
+    [a.max(c), b.max(d)]
+}
+
 /// Neighbouring columns of one owner.
 #[derive(Debug, Clone)]
 enum ColumnGroup {
@@ -47,6 +53,8 @@ enum ColumnGroup {
     State(usize, Vec<StateQuantity>),
     Measure(usize, Vec<StateQuantity>),
     Energy(Vec<EnergyQuantity>),
+    /// Of a body.
+    Section(usize, Vec<SectionQuantity>),
 }
 
 const POSES: [BodyQuantity; 3] = [BodyQuantity::X, BodyQuantity::Y, BodyQuantity::Angle];
@@ -112,6 +120,7 @@ impl Channels {
             ColumnGroup::Joint(..)
             | ColumnGroup::Stroke(_)
             | ColumnGroup::State(..)
+            | ColumnGroup::Section(..)
             | ColumnGroup::Energy(_) => false,
         })
     }
@@ -119,7 +128,7 @@ impl Channels {
     /// Whether they need what joints and drivers carry.
     pub fn have_forces(&self) -> bool {
         self.stretches.iter().any(|stretch| match stretch {
-            ColumnGroup::Joint(..) | ColumnGroup::Stroke(_) => true,
+            ColumnGroup::Joint(..) | ColumnGroup::Stroke(_) | ColumnGroup::Section(..) => true,
             ColumnGroup::Driver(_, wanted) => wanted.contains(&DriverQuantity::Effort),
             ColumnGroup::Time
             | ColumnGroup::Body(..)
@@ -130,7 +139,8 @@ impl Channels {
         })
     }
 
-    /// Appends the row of a sample, at whose position and velocity the evaluation is.
+    /// Appends the row of a sample, at whose position and velocity the evaluation is; forces that are left over on links with a
+    /// cross-section, and the size of all on them \[N\].
     pub fn push_row(
         &self,
         system: &System,
@@ -138,8 +148,10 @@ impl Channels {
         inputs: &Inputs,
         sample: &Sample,
         row: &mut Vec<f64>,
-    ) {
+    ) -> [f64; 2] {
         let at = evaluation.kinematics(inputs);
+        let mut actions = None;
+        let mut unbalanced = [0.0; 2];
         for stretch in &self.stretches {
             match stretch {
                 ColumnGroup::Time => row.push(inputs.time),
@@ -180,8 +192,20 @@ impl Channels {
                         .iter()
                         .map(|&quantity| energy(system, evaluation, inputs, sample, quantity)),
                 ),
+                ColumnGroup::Section(body, wanted) => {
+                    let Some(data) = system.sections.get(body) else {
+                        continue;
+                    };
+                    let actions = actions
+                        .get_or_insert_with(|| Actions::new(system, evaluation, inputs, sample));
+                    let of = (*body, sample.a.as_slice());
+                    let reading = SectionReading::new((system, data), &at, of, actions);
+                    row.extend(wanted.iter().map(|&quantity| reading.value(quantity)));
+                    unbalanced = larger(unbalanced, reading.unbalanced());
+                }
             }
         }
+        unbalanced
     }
 
     /// Appends a row at an instant without solution: time and driver values only.
@@ -201,6 +225,7 @@ impl Channels {
                 | Channel::Relative(..)
                 | Channel::State(..)
                 | Channel::Measure(..)
+                | Channel::Section(..)
                 | Channel::Output(_),
             )
             | None => f64::NAN,
@@ -223,6 +248,7 @@ impl ColumnGroup {
             }
             Channel::Energy(quantity) => Some(ColumnGroup::Energy(vec![quantity])),
             Channel::Load(force, LoadQuantity::Stop) => Some(ColumnGroup::Stroke(force)),
+            Channel::Section(body, quantity) => Some(ColumnGroup::Section(body, vec![quantity])),
             Channel::Relative(..)
             | Channel::Load(..)
             | Channel::Shaking(_)
@@ -258,6 +284,12 @@ impl ColumnGroup {
             }
             (ColumnGroup::Measure(own, wanted), Channel::Measure(measure, quantity))
                 if *own == measure =>
+            {
+                wanted.push(quantity);
+                true
+            }
+            (ColumnGroup::Section(own, wanted), Channel::Section(body, quantity))
+                if *own == body =>
             {
                 wanted.push(quantity);
                 true
@@ -328,6 +360,7 @@ impl Contents {
             self.of_energy(system)
                 .map(|quantity| Column::of(Channel::Energy(quantity), "", "J")),
         );
+        columns.extend(section::headings(system).filter(|_| self.reactions));
         columns
     }
 

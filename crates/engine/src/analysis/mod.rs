@@ -38,6 +38,7 @@ pub mod responses;
 mod rows;
 mod run;
 pub mod sample;
+mod section;
 mod settings;
 mod shaking;
 mod statics;

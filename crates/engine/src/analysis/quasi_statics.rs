@@ -119,7 +119,7 @@ fn equilibria(
         mut report,
         ..
     } = march;
-    report.warnings.extend(recorder.warnings(system));
+    recorder.close(system, &mut report);
     report.solve = watch.read();
     Ok((recorder.trajectory, report))
 }

@@ -1,10 +1,11 @@
 //! The rows of a run.
 
 use super::cams::Watch;
-use super::channels::{Channels, Contents};
+use super::channels::{Channels, Contents, larger};
 use super::sample::Sample;
+use super::section;
 use crate::system::{Evaluation, Inputs, System};
-use linkdyn_output::{Column, Trajectory};
+use linkdyn_output::{Column, Report, Trajectory};
 
 /// The channels of a run, and the table that they fill.
 #[derive(Clone)]
@@ -15,6 +16,8 @@ pub struct Recorder {
     /// What is seen of cams; `None` if there are none.
     cams: Option<Watch>,
     reactions: bool,
+    /// What was left over on links with a cross-section, and the size of all forces on them \[N\].
+    unbalanced: [f64; 2],
 }
 
 impl Recorder {
@@ -41,6 +44,7 @@ impl Recorder {
                 .any(|joint| joint.extras().cam.is_some())
                 .then(Watch::default),
             reactions: contents.reactions,
+            unbalanced: [0.0; 2],
         }
     }
 
@@ -57,8 +61,19 @@ impl Recorder {
             cams.note(system, &evaluation.kinematics(inputs), lambda);
         }
         let rows = &mut self.trajectory.data;
-        self.channels
+        let unbalanced = self
+            .channels
             .push_row(system, evaluation, inputs, sample, rows);
+        self.unbalanced = larger(self.unbalanced, unbalanced);
+    }
+
+    /// What is to be said of cams and of links with a cross-section.
+    pub fn close(&self, system: &System, report: &mut Report) {
+        report.warnings.extend(self.warnings(system));
+        let sections = section::warnings(system, &self.trajectory);
+        report.warnings.extend(sections);
+        let [rest, size] = self.unbalanced;
+        report.quality.section_imbalance = (size > 0.0).then(|| rest / size);
     }
 
     /// What is to be said of cams.

@@ -86,7 +86,7 @@ fn told(
     report.warnings.extend(shared);
     report.warnings.extend(warning(balance));
     report.warnings.extend(friction_left_out(system));
-    report.warnings.extend(recorder.warnings(system));
+    recorder.close(system, &mut report);
     report.equilibrium = Some(described(held, balance));
     report.quality.constraint_residual = held.residual;
     let done = held.driven.done;

@@ -88,6 +88,11 @@ impl StrandSlopes {
 }
 
 impl Belt {
+    /// Whether it exerts forces beside its constraint.
+    pub(crate) fn acts(&self) -> bool {
+        self.pretension != 0.0 || self.elastic.is_some()
+    }
+
     fn sigma(&self) -> f64 {
         if self.crossed { -1.0 } else { 1.0 }
     }

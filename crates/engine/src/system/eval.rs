@@ -196,8 +196,7 @@ impl Evaluation {
     pub fn eval_force(&self, system: &System, inputs: &Inputs, q_force: &mut [f64]) {
         let gravity = [system.gravity.x, system.gravity.y];
         system.mass.weigh(&system.layout, gravity, q_force);
-        let state = || [self.position(), self.velocity()];
-        inputs.pushes.add(state, inputs.time, q_force);
+        self.push_from_outside(inputs, q_force);
         if system.forces.is_empty() && system.contacts.is_empty() {
             return;
         }
@@ -214,6 +213,12 @@ impl Evaluation {
         for (contact, memory) in system.contacts.iter().zip(&inputs.contacts) {
             contact.apply(&at, memory, &mut applied);
         }
+    }
+
+    /// Adds what comes from outside the model to Q (n).
+    pub(crate) fn push_from_outside(&self, inputs: &Inputs, q_force: &mut [f64]) {
+        let state = || [self.position(), self.velocity()];
+        inputs.pushes.add(state, inputs.time, q_force);
     }
 
     /// Takes the sides on which the kinks of formulas and cams are at the position and velocity taken.

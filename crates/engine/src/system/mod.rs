@@ -22,6 +22,7 @@ mod pushes;
 mod roles;
 mod rows;
 mod scale;
+mod section;
 mod slopes;
 mod standing;
 mod states;
@@ -42,6 +43,7 @@ pub use roles::{
 pub use rows::{ContactRows, Extent, Owner};
 pub use scale::Scale;
 pub(crate) use scale::larger;
+pub use section::SectionData;
 pub(crate) use slopes::Slopes;
 pub(crate) use standing::Standing;
 pub(crate) use states::StateData;
@@ -55,6 +57,7 @@ use crate::element::{Axis, ConstraintDependentForce, Force, Layout, Marker, Meas
 use crate::motion::{Jet, Law};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::DisplayUnits;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -149,6 +152,8 @@ pub struct System {
     pub layout: Layout,
     /// Moving bodies.
     pub bodies: Vec<BodyData>,
+    /// Cross-sections of those that have one, by number.
+    pub sections: BTreeMap<usize, SectionData>,
     /// Joints, in the order of the file.
     pub joints: Vec<JointData>,
     /// Drivers, in the order of the file.

@@ -15,6 +15,7 @@ impl System {
             && self.contacts.is_empty()
             && self.initial.is_empty()
             && self.initial_rates.is_empty()
+            && self.sections.is_empty()
             && self.measured.is_empty()
             && self.outputs.is_empty()
             && !(with_forces && carries)

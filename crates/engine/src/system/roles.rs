@@ -105,11 +105,13 @@ pub enum ForceRole {
     },
     /// Another stretch of a cable.
     Stretch {
-        /// Its two bodies.
-        between: [BodyId; 2],
+        /// Its two points.
+        between: [Marker; 2],
     },
     /// A force from outside at a point.
     Load {
+        /// The point.
+        at: Marker,
         /// Components \[N\].
         vector: [Strength; 2],
         /// The body whose axes the components are in.
@@ -119,6 +121,8 @@ pub enum ForceRole {
     Torque {
         /// [N·m]
         value: Strength,
+        /// The body.
+        body: BodyId,
         /// The body, and the one that exerts the torque; `None` if it comes from outside.
         between: Option<[BodyId; 2]>,
         /// Of a motor, its torque by the current [N·m/A].
@@ -147,9 +151,8 @@ impl ForceRole {
     /// The bodies that exert the force on each other; `None` if it comes from outside.
     pub(crate) fn between(&self) -> Option<[BodyId; 2]> {
         match self {
-            ForceRole::Spring { between, .. }
-            | ForceRole::Cable { between, .. }
-            | ForceRole::Stretch { between } => Some(*between),
+            ForceRole::Spring { between, .. } | ForceRole::Cable { between, .. } => Some(*between),
+            ForceRole::Stretch { between } => Some(between.map(|end| end.body)),
             ForceRole::Torque { between, .. } => *between,
             ForceRole::Load { .. } => None,
         }

@@ -16,6 +16,7 @@ use super::{Block, DependentForce, JointId, Mass, Origin, System};
 use crate::element::pair::{ContactId, Hold, Pair};
 use crate::element::{BodyId, Constraint, ConstraintDependentForce, Layout};
 use linkdyn_linear::math::Vec2;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// What a contact belongs to.
@@ -197,6 +198,7 @@ impl System {
                 .iter()
                 .filter_map(|body| Some(self.bodies[body.index()?].clone()))
                 .collect(),
+            sections: BTreeMap::new(),
             joints: Vec::with_capacity(joints.len()),
             drivers: Vec::new(),
             points: Vec::new(),

@@ -5,6 +5,7 @@
 //! crank.x                 shaking.fx              transmission.b.angle
 //! crank.A.x               joint.b.fx              driver.motor.effort     force.spring.length
 //! output.leverage         joint.guide.slide       measure.grip            measure.grip.rate
+//! section.rod.stress      section.rod.axial_force_1
 //! ```
 //!
 //! Names of owners have no dot, and no quantity of a body or a point is one of what else begins with the same word: the body
@@ -12,7 +13,8 @@
 
 use super::{
     BodyQuantity, Channel, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
-    PointQuantity, RelativeQuantity, ShakingQuantity, StateQuantity, TransmissionQuantity,
+    PointQuantity, RelativeQuantity, SectionQuantity, ShakingQuantity, StateQuantity,
+    TransmissionQuantity,
 };
 use crate::TIME;
 
@@ -38,6 +40,7 @@ impl Channel {
             Channel::State(_, StateQuantity::Rate) => format!("{STATE}.{owner}.rate"),
             Channel::Measure(_, StateQuantity::Value) => format!("{MEASURE}.{owner}"),
             Channel::Measure(_, StateQuantity::Rate) => format!("{MEASURE}.{owner}.rate"),
+            Channel::Section(_, quantity) => format!("{SECTION}.{owner}.{}", quantity.name()),
         }
     }
 
@@ -80,6 +83,7 @@ impl Channel {
             Channel::Output(_) => Channel::Output(number),
             Channel::State(_, quantity) => Channel::State(number, quantity),
             Channel::Measure(_, quantity) => Channel::Measure(number, quantity),
+            Channel::Section(_, quantity) => Channel::Section(number, quantity),
             Channel::Driver(_, quantity) => Channel::Driver(number, quantity),
             Channel::Load(_, quantity) => Channel::Load(number, quantity),
             Channel::Transmission(TransmissionQuantity::Angle(_)) => {
@@ -95,10 +99,11 @@ impl Channel {
     }
 }
 
-/// The first word of the names of outputs, of states, and of measures.
+/// The first word of the names of outputs, of states, of measures, and of cross-sections.
 const OUTPUT: &str = "output";
 const STATE: &str = "state";
 const MEASURE: &str = "measure";
+const SECTION: &str = "section";
 
 /// Channels of the whole mechanism, by the first word and the quantity.
 fn of_all(kind: &str, word: &str) -> Option<Channel> {
@@ -121,6 +126,7 @@ fn of_one(kind: &str, word: &str) -> Option<Channel> {
         STATE => (word == "rate").then_some(Channel::State(0, StateQuantity::Rate)),
         MEASURE => (word == "rate").then_some(Channel::Measure(0, StateQuantity::Rate)),
         "force" => Some(Channel::Load(0, find(&LoadQuantity::ALL, word)?)),
+        SECTION => Some(Channel::Section(0, SectionQuantity::read(word)?)),
         "transmission" => find(&[TransmissionQuantity::Angle(0)], word).map(Channel::Transmission),
         _ => None,
     }
@@ -377,6 +383,78 @@ impl ShakingQuantity {
 impl Quantity for ShakingQuantity {
     fn word(self) -> &'static str {
         self.name()
+    }
+}
+
+impl SectionQuantity {
+    /// Every one of a whole axis, in the order of results.
+    pub const PEAKS: [SectionQuantity; 7] = [
+        SectionQuantity::Tension,
+        SectionQuantity::Compression,
+        SectionQuantity::Shear,
+        SectionQuantity::Bending,
+        SectionQuantity::Stress,
+        SectionQuantity::StressAt,
+        SectionQuantity::Buckling,
+    ];
+
+    /// Those of a station, in the order of results.
+    pub const fn of_station(station: usize) -> [SectionQuantity; 3] {
+        [
+            SectionQuantity::AxialForce(station),
+            SectionQuantity::ShearForce(station),
+            SectionQuantity::BendingMoment(station),
+        ]
+    }
+
+    /// The last word of the column's name, which counts stations from 1.
+    pub fn name(self) -> String {
+        match self {
+            SectionQuantity::AxialForce(station)
+            | SectionQuantity::ShearForce(station)
+            | SectionQuantity::BendingMoment(station) => {
+                format!("{}_{}", self.kind(), station + 1)
+            }
+            SectionQuantity::Tension
+            | SectionQuantity::Compression
+            | SectionQuantity::Shear
+            | SectionQuantity::Bending
+            | SectionQuantity::Stress
+            | SectionQuantity::StressAt
+            | SectionQuantity::Buckling => self.kind().to_owned(),
+        }
+    }
+
+    /// The same without the station.
+    pub fn kind(self) -> &'static str {
+        match self {
+            SectionQuantity::AxialForce(_) => "axial_force",
+            SectionQuantity::ShearForce(_) | SectionQuantity::Shear => "shear_force",
+            SectionQuantity::BendingMoment(_) | SectionQuantity::Bending => "bending_moment",
+            SectionQuantity::Tension => "tension",
+            SectionQuantity::Compression => "compression",
+            SectionQuantity::Stress => "stress",
+            SectionQuantity::StressAt => "stress_at",
+            SectionQuantity::Buckling => "buckling",
+        }
+    }
+
+    /// The quantity of a word.
+    fn read(word: &str) -> Option<SectionQuantity> {
+        let station = || {
+            let (kind, count) = word.rsplit_once('_')?;
+            let station = count.parse::<usize>().ok()?.checked_sub(1)?;
+            find(&SectionQuantity::of_station(station), kind)
+        };
+        // as written, without signs and zeros in front
+        let station = || station().filter(|found| found.name() == word);
+        find(&SectionQuantity::PEAKS, word).or_else(station)
+    }
+}
+
+impl Quantity for SectionQuantity {
+    fn word(self) -> &'static str {
+        self.kind()
     }
 }
 

@@ -120,6 +120,7 @@ fn worth(channel: Option<Channel>) -> Worth {
             | Channel::Transmission(_)
             | Channel::State(..)
             | Channel::Measure(..)
+            | Channel::Section(..)
             | Channel::Output(_),
         )
         | None => Worth::Overall,

@@ -181,6 +181,7 @@ fn force(system: &System, name: &str) -> Result<Force, String> {
         | Channel::Relative(..)
         | Channel::State(..)
         | Channel::Measure(..)
+        | Channel::Section(..)
         | Channel::Output(_) => None,
     };
     let forces = columns.iter().filter(|column| column.unit.starts_with('N'));

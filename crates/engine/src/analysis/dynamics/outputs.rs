@@ -98,8 +98,7 @@ impl<'a, 'r> Outputs<'a, 'r> {
         {
             quality.energy_drift = Some(part(most - least, largest));
         }
-        let of_cams = self.sampling.recorder.warnings(self.system);
-        self.report.warnings.extend(of_cams);
+        self.sampling.recorder.close(self.system, self.report);
         self.sampling.recorder.trajectory
     }
 }

@@ -52,9 +52,10 @@ impl Sampling {
         a.copy_from_slice(equations.acceleration());
         force.copy_from_slice(equations.force());
         equations.reactions(lambda);
-        // Of a sustained contact the friction is reported with the contact.
-        let told = dependent_forces.len();
-        dependent_forces.copy_from_slice(&equations.dependent_forces().sizes()[..told]);
+        // Behind those of joints stand those of sustained contacts.
+        let sizes = equations.dependent_forces().sizes();
+        dependent_forces.clear();
+        dependent_forces.extend_from_slice(sizes);
     }
 
     /// Appends the sample's row.

@@ -100,6 +100,7 @@ impl Follows {
                     | Channel::Driver(..)
                     | Channel::State(..)
                     | Channel::Measure(..)
+                    | Channel::Section(..)
                     | Channel::Energy(_),
                 )
                 | None => continue,
@@ -132,6 +133,7 @@ impl Follows {
             | Channel::Transmission(_)
             | Channel::State(..)
             | Channel::Measure(..)
+            | Channel::Section(..)
             | Channel::Output(_) => false,
         }
     }
@@ -244,6 +246,7 @@ fn is_carried(column: &Column) -> bool {
     match column.channel {
         Some(
             Channel::Joint(..)
+            | Channel::Section(..)
             | Channel::Relative(_, RelativeQuantity::F)
             | Channel::Driver(_, DriverQuantity::Effort)
             | Channel::Shaking(_),

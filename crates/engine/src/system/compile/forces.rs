@@ -43,7 +43,7 @@ impl Compiler<'_> {
             self.system.force_data.push(ForceData {
                 name: name.clone(),
                 role: ForceRole::Stretch {
-                    between: [stretch.first.body, stretch.second.body],
+                    between: [stretch.first, stretch.second],
                 },
             });
             self.system.forces.push(Arc::new(stretch));
@@ -185,6 +185,7 @@ impl Compiler<'_> {
         };
         let role = ForceRole::Torque {
             value,
+            body,
             between: other.map(|other| [body, other]),
             by_current,
         };
@@ -203,7 +204,7 @@ impl Compiler<'_> {
             vector: vector.clone(),
             follows_body: frame != BodyId::GROUND,
         };
-        (Arc::new(load), ForceRole::Load { vector, frame })
+        (Arc::new(load), ForceRole::Load { at, vector, frame })
     }
 
     fn spring_role(&self, kind: &ForceKind, between: [BodyId; 2]) -> ForceRole {

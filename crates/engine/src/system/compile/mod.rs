@@ -20,15 +20,15 @@ pub use laws::{law, value_law};
 pub use profiles::{Profile, profiles};
 
 use super::rows::{reach, size, spread};
-use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, StateData, System};
+use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, SectionData, StateData, System};
 use crate::element::pair::ContactId;
 use crate::element::{BodyId, Constraint, Layout, Marker, Pose};
-use linkdyn_linear::math::Vec2;
+use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::response::{Catalogue, Look};
-use linkdyn_model::{AnalysisKind, Body, Checked, GROUND, Model, PointRef, Timed};
+use linkdyn_model::{AnalysisKind, Body, Checked, GROUND, LinkSection, Model, PointRef, Timed};
 use needs::{Joints, missing};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 /// Compiles a model for an analysis, once: joints whose clearance is modelled by contact are open, for an assembly closed.
@@ -141,6 +141,7 @@ impl<'a> Compiler<'a> {
         let system = System {
             layout: Layout::rigid(com.len() - 1),
             bodies: Vec::new(),
+            sections: BTreeMap::new(),
             joints: Vec::new(),
             drivers: Vec::new(),
             points: Vec::new(),
@@ -250,6 +251,11 @@ impl<'a> Compiler<'a> {
             let (mass, inertia) = (body.mass.unwrap_or(0.0), body.inertia.unwrap_or(0.0));
             self.system.mass.push_rigid(mass, inertia);
             self.system.masses_known &= body.mass.is_some() && body.inertia.is_some();
+            if let Some(own) = &body.section {
+                let index = self.system.bodies.len();
+                let own = section(body, own, com);
+                self.system.sections.insert(index, own);
+            }
             self.system.bodies.push(BodyData {
                 name: name.clone(),
                 origin: -com,
@@ -284,5 +290,32 @@ impl<'a> Compiler<'a> {
 
     fn push_block(&mut self, constraint: Arc<dyn Constraint>, origin: Origin) {
         self.system.push_block(constraint, origin);
+    }
+}
+
+/// The numbers of a cross-section.
+fn section(body: &Body, section: &LinkSection, com: Vec2) -> SectionData {
+    let [from, to] = [&section.from, &section.to].map(|end| Vec2::from(body.points[end]));
+    let (length, area) = ((to - from).norm(), section.shape.area());
+    let mass = body.mass.unwrap_or(0.0);
+    let bar = match section.density() {
+        // what has no mass has none along its axis
+        _ if mass == 0.0 => 0.0,
+        Some(density) => density * area,
+        None => mass / length,
+    };
+    let euler = |modulus: f64| {
+        let stiffness = modulus * section.shape.least_second_moment();
+        stiffness * (std::f64::consts::PI / length).powi(2)
+    };
+    SectionData {
+        from: from - com,
+        axis: unit(to - from),
+        length,
+        area,
+        modulus: section.shape.modulus(),
+        bar,
+        buckling_load: section.stiffness().map(euler),
+        stations: section.stations.unwrap_or(5),
     }
 }

@@ -151,8 +151,11 @@ impl Compiler<'_> {
             .joints
             .iter()
             .filter_map(|joint| joint.extras().belt.as_deref());
-        let acts = |belt: &&Belt| belt.pretension != 0.0 || belt.elastic.is_some();
-        let strands: Vec<Strands> = belts.filter(acts).cloned().map(Strands).collect();
+        let strands: Vec<Strands> = belts
+            .filter(|belt| belt.acts())
+            .cloned()
+            .map(Strands)
+            .collect();
         for strands in strands {
             self.system.forces.push(Arc::new(strands));
         }

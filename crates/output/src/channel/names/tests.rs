@@ -17,6 +17,9 @@ fn all() -> Vec<Channel> {
     let states = [StateQuantity::Value, StateQuantity::Rate];
     all.extend(states.map(|quantity| Channel::State(0, quantity)));
     all.extend(states.map(|quantity| Channel::Measure(0, quantity)));
+    all.extend(SectionQuantity::PEAKS.map(|quantity| Channel::Section(0, quantity)));
+    let station = SectionQuantity::of_station(10);
+    all.extend(station.map(|quantity| Channel::Section(0, quantity)));
     all
 }
 
@@ -51,6 +54,7 @@ fn every_name_reads_back_as_its_channel() {
                 | Channel::Measure(..)
                 | Channel::Driver(..)
                 | Channel::Load(..)
+                | Channel::Section(..)
                 | Channel::Transmission(_) => owner.to_string(),
             };
             let name = channel.name(&owner);
@@ -76,6 +80,9 @@ fn other_names_are_none_of_ours() {
         "joint.b.ratio",
         "output.",
         "a.b.c.x",
+        "section.rod.axial_force_0",
+        "section.rod.axial_force_01",
+        "section.rod.axial_force",
     ] {
         assert_eq!(Channel::read(name), None, "{name}");
     }

@@ -18,8 +18,7 @@ impl Outputs<'_, '_> {
         self.report.warnings.extend(outside);
         let overrun = self.overrun.warnings(self.system);
         self.report.warnings.extend(overrun);
-        let of_cams = self.recorder.warnings(self.system);
-        self.report.warnings.extend(of_cams);
+        self.recorder.close(self.system, self.report);
         if !self.bridge.missing.is_empty() {
             self.report.warnings.push(format!(
                 "at a change point the reactions of {} have no bound and are left out",

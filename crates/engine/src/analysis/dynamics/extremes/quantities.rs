@@ -77,6 +77,7 @@ pub fn watched(columns: &[Column], patterns: &[String]) -> (Vec<Watched>, usize)
             | Channel::Relative(..)
             | Channel::State(..)
             | Channel::Measure(..)
+            | Channel::Section(..)
             | Channel::Output(_) => (2, false, None),
         };
         let of_joint = |quantity| at(Channel::Joint(joint?, quantity));
