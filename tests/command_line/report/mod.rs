@@ -109,6 +109,7 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
         name: name.into(),
         points: vec![("A".into(), 0.0, 0.0), ("B".into(), 0.1, 0.0)],
         com: None,
+        section: None,
     };
     let mut shape = Shape {
         bodies: vec![body("ground")],

@@ -179,6 +179,7 @@ mod tests {
             name: name.into(),
             points: vec![("P".into(), 0.0, 0.0)],
             com: None,
+            section: None,
         };
         let mut shape = Shape {
             bodies: vec![body("ground"), body("disc")],

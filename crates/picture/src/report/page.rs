@@ -24,6 +24,7 @@ pub const SCRIPTS: &[&str] = &[
     include_str!("js/ghost.js"),
     include_str!("js/labels.js"),
     include_str!("js/forces.js"),
+    include_str!("js/moments.js"),
     include_str!("js/stage.js"),
     include_str!("js/mini.js"),
     include_str!("js/choices.js"),

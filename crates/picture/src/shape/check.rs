@@ -71,10 +71,16 @@ impl Shape {
             DriverKind::Rotation { .. } | DriverKind::Translation { .. } => None,
         });
         let loads = self.loads.iter().filter_map(|load| load.at);
+        let bodies = self.bodies.iter().enumerate();
+        let axes = bodies.flat_map(|(body, own)| {
+            let points = own.section.into_iter().flatten();
+            points.map(move |point| (body, point))
+        });
         joints
             .chain(springs)
             .chain(lengths.flatten())
             .chain(loads)
+            .chain(axes)
             .chain(self.points.iter().copied())
     }
 

@@ -185,6 +185,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             .map(|[x, y]| (String::new(), *x, *y))
             .collect(),
         com: None,
+        section: None,
     };
     Ok(Shape {
         joints: drawing

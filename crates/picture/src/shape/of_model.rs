@@ -121,6 +121,11 @@ fn bodies(model: &Model) -> Vec<Body> {
     let body_of = |name: &str| {
         let body = model.bodies.get(name);
         let points = body.into_iter().flat_map(|body| &body.points);
+        let section = body.and_then(|body| {
+            let section = body.section.as_deref()?;
+            let number = |point: &String| body.points.get_index_of(point);
+            Some([number(&section.from)?, number(&section.to)?])
+        });
         Body {
             name: name.to_string(),
             points: points
@@ -129,6 +134,7 @@ fn bodies(model: &Model) -> Vec<Body> {
             com: body
                 .and_then(|body| body.com)
                 .filter(|_| model.bodies.len() <= MANY),
+            section,
         }
     };
     names(model).map(body_of).collect()

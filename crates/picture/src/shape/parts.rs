@@ -33,6 +33,9 @@ pub struct Body {
     /// Centre of mass \[m\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub com: Option<[f64; 2]>,
+    /// Numbers of the points between which the axis of its cross-section lies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub section: Option<[usize; 2]>,
 }
 
 /// A spring, damper or actuator between two points.

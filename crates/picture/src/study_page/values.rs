@@ -123,6 +123,7 @@ mod tests {
             name: name.into(),
             points: vec![("A".into(), x, 0.0)],
             com: None,
+            section: None,
         };
         Motion {
             variant,

@@ -65,6 +65,8 @@
   if (free && !isDriven) angles();
   add("Largest joint forces", largest(ending(/^joint\..*\.f$/)), true);
   if (free && isDriven) angles();
+  add("Largest stresses in links", largest(ending(/^section\..*\.stress$/)), true);
+  add("Largest bending moments in links", largest(ending(/^section\..*\.bending_moment$/)), false);
   add("Contact forces", ending(/^joint\..*\.normal_force$/), dynamics);
   add("Lengths of springs and actuators", ending(/^force\..*\.length$/), true);
   positions(points.slice(1));

@@ -1,7 +1,7 @@
 "use strict";
 // The drawer: what the drawing shows, and how.
 (() => {
-  const { element, player, stage, mechanism, id } = linkdyn;
+  const { element, player, stage, mechanism, moments, id } = linkdyn;
   const { options } = stage;
   const box = (text, on, change) => {
     const input = element("input", { type: "checkbox", on: { change: () => { change(input.checked); stage.draw(); } } });
@@ -10,6 +10,7 @@
   };
   const kinds = { bodies: "Bodies' names", joints: "Joints' names", points: "Points", centres: "Centres of mass", drivers: "Drivers" };
   for (const [key, text] of Object.entries(kinds)) id("show").append(box(text, options.show[key], (on) => { options.show[key] = on; }));
+  if (moments.has) id("show").append(box("Bending moments", options.moments, (on) => { options.moments = on; }));
   id("arrows").disabled = !stage.hasForces;
   if (!stage.hasForces && !mechanism.loads.length) id("forces").hidden = true;
   id("arrows").addEventListener("change", () => { options.arrows = id("arrows").checked; stage.draw(); });

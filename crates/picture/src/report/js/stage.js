@@ -1,12 +1,12 @@
 "use strict";
 // The canvas: what part of the plane it shows, paths of points, forces, names.
 (() => {
-  const { given, mechanism, shapes, drawing, ghost, labels, forces, player, units } = linkdyn;
+  const { given, mechanism, shapes, drawing, ghost, labels, forces, moments, player, units } = linkdyn;
   const canvas = document.getElementById("canvas");
   const pen = canvas.getContext("2d");
   const small = mechanism.bodies.length <= 14;
   const show = { bodies: small, joints: small && mechanism.joints.length <= 14, points: false, centres: false, drivers: true };
-  const options = { show, arrows: false, loads: true, arrowScale: 0, follow: null, traces: new Set(mechanism.points.map(String)) };
+  const options = { show, arrows: false, loads: true, moments: true, arrowScale: 0, follow: null, traces: new Set(mechanism.points.map(String)) };
   const TRACE_DASHES = [[], [7, 4], [2, 3], [10, 3, 2, 3]];
   let width = 0, height = 0, colours = null, wanted = false, own = false;
   const view = { x: 0, y: 0, scale: 1 };
@@ -105,6 +105,7 @@
       pen.fillStyle = colours.accent; pen.beginPath(); pen.arc(...to(at), 4, 0, 7); pen.fill();
     });
     const list = names.filter(({ strong }) => !strong || show.bodies);
+    if (options.moments) moments.draw({ pen, to, row, width, height, colours, names: list });
     const scales = forces.draw({ pen, to, bar, row, width, height, colours, names: list }, options);
     if (halo) halo({ pen, to, row, bar, colours });
     layers.over?.({ pen, to, scale, row, bar, colours, width, height });
