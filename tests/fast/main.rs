@@ -32,6 +32,7 @@ mod allocate;
 mod allocations;
 mod architecture;
 mod assembly;
+mod beams;
 mod belts;
 mod bundled;
 mod bushings;

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::beam::Beam;
 use super::bushing::Bushing;
 use super::cam::Cam;
 use super::clearance::{Clearance, Friction, ImpactSense};
@@ -240,6 +241,8 @@ pub enum JointKind {
     },
     /// The points stay near each other: a pin in rubber, which is no constraint.
     Bushing(Box<Bushing>),
+    /// An elastic bar holds the points together: no constraint.
+    Beam(Box<Beam>),
     /// The points coincide, relative angle fixed \[rad\].
     Fixed {
         /// Angle of the second body relative to the first \[rad\].

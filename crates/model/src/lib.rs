@@ -5,6 +5,7 @@
 
 pub mod accuracy;
 pub mod analysis;
+pub mod beam;
 pub mod body;
 pub mod bundled;
 pub mod bushing;
@@ -96,6 +97,7 @@ pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
 
 pub use self::{
+    beam::{Beam, BeamSection, BeamShape},
     bushing::{Bushing, PerAxis},
     cam::{Cam, CamSegment, Follower, Profile},
     expression::Given,

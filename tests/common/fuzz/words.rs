@@ -13,6 +13,7 @@ pub const KINDS: &[&str] = &[
     "rack",
     "belt",
     "bushing",
+    "beam",
     "fixed",
     "rotation",
     "translation",

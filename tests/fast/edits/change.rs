@@ -94,6 +94,7 @@ fn edit_words(value: &mut serde_json::Value, rng: &mut Rng) {
                 "rack",
                 "belt",
                 "bushing",
+                "beam",
                 "fixed",
                 "rotation",
                 "translation",

@@ -59,7 +59,7 @@ fn of_joint(joint: &JointData, contents: Contents) -> impl Iterator<Item = Relat
     let role = joint.role();
     let turns = matches!(
         role,
-        JointRole::Revolute | JointRole::Slot { .. } | JointRole::Bushing
+        JointRole::Revolute | JointRole::Slot { .. } | JointRole::Bushing | JointRole::Beam
     );
     let slides = role.axis().is_some();
     let all = RelativeQuantity::ALL.into_iter();

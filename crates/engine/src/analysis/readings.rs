@@ -131,6 +131,9 @@ impl JointReading {
         if let Some(bushing) = &data.extras().bushing {
             (force, torque) = bushing.wrench(at);
         }
+        if let Some(beam) = &data.extras().beam {
+            (force, torque) = beam.wrench(at);
+        }
         let touching = data.is_contact().then(|| touching(sample, data));
         let contact = data
             .extras()

@@ -19,6 +19,7 @@
 //! bundled model that uses it, a row in `docs/format.md`.
 
 pub mod actuator;
+pub mod beam;
 pub mod belt;
 pub mod bushing;
 pub mod cable;

@@ -1,6 +1,7 @@
 //! The shared check of what elements say of the derivatives of their forces.
 
 use super::actuator::Actuator;
+use super::beam::tests::beam;
 use super::belt::{Strands, tests::belt};
 use super::bushing::tests::bushing;
 use super::edge::tests::{disc, edge};
@@ -196,6 +197,8 @@ fn slopes_are_the_derivatives_of_forces() {
             Box::new(Strands(belt(true, Some([12.0, 1.7])))),
         ),
         ("pretension", Box::new(Strands(belt(false, None)))),
+        ("beam", Box::new(beam(1, 0.0))),
+        ("damped beam on ground", Box::new(beam(0, 0.3))),
         ("bushing", Box::new(bushing(1))),
         ("bushing on ground", Box::new(bushing(0))),
         ("spring", Box::new(spring(first))),

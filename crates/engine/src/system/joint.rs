@@ -1,6 +1,7 @@
 //! Joints beyond their constraints.
 
 use super::roles::{ClearanceLink, JointFriction, JointRole};
+use crate::element::beam::Beam;
 use crate::element::belt::Belt;
 use crate::element::bushing::Bushing;
 use crate::element::cam::Cam;
@@ -56,6 +57,8 @@ pub(crate) struct JointExtras {
     pub belt: Option<Box<Belt>>,
     /// A pin in rubber.
     pub bushing: Option<Box<Bushing>>,
+    /// An elastic bar.
+    pub beam: Option<Box<Beam>>,
 }
 
 /// Those of a joint that has nothing of them.
@@ -74,6 +77,7 @@ static PLAIN: JointExtras = JointExtras {
     friction: None,
     belt: None,
     bushing: None,
+    beam: None,
 };
 
 impl JointData {
@@ -196,10 +200,17 @@ impl JointExtras {
             friction,
             belt,
             bushing,
+            beam,
         } = self;
         let is_pin = *role == JointRole::Revolute && !torque && points.is_none();
         let holds = clearance.is_none() && contact.is_none() && clasp.is_none() && stops.is_none();
         let shapes = cam.is_none() && drawn.is_none() && edges.is_empty() && bearing.is_none();
-        is_pin && holds && shapes && friction.is_none() && belt.is_none() && bushing.is_none()
+        is_pin
+            && holds
+            && shapes
+            && friction.is_none()
+            && belt.is_none()
+            && bushing.is_none()
+            && beam.is_none()
     }
 }

@@ -34,6 +34,8 @@ pub enum JointRole {
     },
     /// A pin in rubber.
     Bushing,
+    /// An elastic bar.
+    Beam,
     /// Two bodies as one.
     Fixed,
     /// A tip that may touch an outline.

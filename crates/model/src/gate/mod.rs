@@ -153,6 +153,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     names::references(&mut rules, &named);
     rules.bodies();
     sections::sections(&mut rules);
+    sections::beams(&mut rules);
     rules.joints();
     drivers::drivers(&mut rules);
     forces::forces(&mut rules);

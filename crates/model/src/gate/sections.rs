@@ -1,13 +1,13 @@
-//! Cross-sections: their points, their dimensions, and that they are no heavier than their bodies.
+//! Cross-sections of links and beams: their points, their dimensions, what they are made of, and that they are no heavier than their bodies.
 
 use super::Rules;
 use crate::suggest;
-use crate::{Body, LinkSection, SectionShape};
+use crate::{Beam, BeamShape, Body, JointKind, LinkSection, PointRef, SectionShape};
 
 /// Masses and places that differ by less are the same, relative to the mass and the length of the axis.
 const SAME: f64 = 1e-9;
 
-/// All rules of cross-sections but those on one number.
+/// All rules of links and beams but those on one number.
 pub(super) fn sections(rules: &mut Rules<'_>) {
     let model = rules.model;
     for (name, body) in &model.bodies {
@@ -27,10 +27,69 @@ pub(super) fn sections(rules: &mut Rules<'_>) {
     }
 }
 
+/// All rules of beams but those on one number.
+pub(super) fn beams(rules: &mut Rules<'_>) {
+    let model = rules.model;
+    for (name, joint) in &model.joints {
+        let path = format!("joints.{name}");
+        let JointKind::Beam(beam) = &joint.kind else {
+            continue;
+        };
+        if !rules.holes.within(&path) && !rules.holes.has(&path) {
+            made_of(rules, &format!("{path}.section"), beam);
+            if beam.length.is_none() && apart(model, &joint.between) == Some(0.0) {
+                rules.complain(
+                    path,
+                    "the beam has no length: both points are in the same place as drawn",
+                    "give its \"length\", and the \"angles\" of its ends in both bodies, or draw the bodies apart by their \"pose\"",
+                );
+            }
+        }
+    }
+}
+
+/// A beam needs one modulus.
+fn made_of(rules: &mut Rules<'_>, path: &str, beam: &Beam) {
+    let section = &beam.section;
+    if let BeamShape::Tube { diameter, wall } = section.shape {
+        of_wall(rules, path, diameter, wall);
+    }
+    match (section.material, section.young_modulus) {
+        (Some(_), Some(_)) => rules.complain(
+            format!("{path}.young_modulus"),
+            "the \"material\" has its own young_modulus",
+            "give either the material, or \"young_modulus\"",
+        ),
+        (None, None) => rules.complain(
+            path,
+            "it is not known what the beam is made of",
+            "add \"material\": \"steel\", or \"young_modulus\": \"210 GPa\"",
+        ),
+        (Some(_), None) | (None, Some(_)) => {}
+    }
+}
+
+/// How far two points are apart as drawn \[m\]; nothing where one does not exist.
+fn apart(model: &crate::Model, between: &[PointRef; 2]) -> Option<f64> {
+    let place = |end: &PointRef| {
+        let body = model.bodies.get(&end.body)?;
+        let ([x, y], pose) = (*body.points.get(&end.point)?, &body.pose);
+        let (sin, cos) = pose.angle.sin_cos();
+        let [px, py] = pose.position;
+        Some([px + cos * x - sin * y, py + sin * x + cos * y])
+    };
+    let [a, b] = [place(&between[0])?, place(&between[1])?];
+    Some((b[0] - a[0]).hypot(b[1] - a[1]))
+}
+
 fn of_shape(rules: &mut Rules<'_>, path: &str, section: &LinkSection) {
-    if let SectionShape::Tube { diameter, wall } = section.shape
-        && wall > diameter / 2.0
-    {
+    if let SectionShape::Tube { diameter, wall } = section.shape {
+        of_wall(rules, path, diameter, wall);
+    }
+}
+
+fn of_wall(rules: &mut Rules<'_>, path: &str, diameter: f64, wall: f64) {
+    if wall > diameter / 2.0 {
         rules.complain(
             format!("{path}.wall"),
             "the wall is thicker than half the diameter",

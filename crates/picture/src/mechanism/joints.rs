@@ -9,7 +9,7 @@ use crate::shape::{
     Clearance, Joint, JointKind, PitchCircles, PitchLine, PointId, Profile, Pulleys,
 };
 use crate::sign::{
-    Corner, Edge, OUTLINE, Outline, Paint, Sign, Stroke, area, bars, circle, line, metres,
+    Corner, Edge, OUTLINE, Outline, Paint, Sign, Stroke, along, area, bars, circle, line, metres,
 };
 use crate::symbols::{self, Rack};
 use std::f64::consts::TAU;
@@ -19,6 +19,8 @@ const RADIUS: f64 = 0.62;
 const RING: f64 = 1.2;
 /// Radius of a ring of rubber around a pin.
 const SLEEVE: f64 = 1.15;
+/// Width of a beam, in bars.
+const LEAF: f64 = 0.4;
 /// Half the side of a weld, in bars.
 const WELD: f64 = 0.7;
 /// Distance from which on bearing and journal are seen apart, in bars.
@@ -76,6 +78,7 @@ impl Parts<'_> {
                 JointKind::Rolling { radii } => self.add_rolling(joint, *radii),
                 JointKind::Belt { belt } => self.add_belt(joint, *belt),
                 JointKind::Bushing => self.add_bushing(joint),
+                JointKind::Beam => self.add_beam(joint),
                 JointKind::Fixed => self.add_weld(joint),
                 JointKind::Contact {
                     outlines,
@@ -133,6 +136,13 @@ impl Parts<'_> {
         let sleeve = circle("bushing", Corner::default(), [0.0, SLEEVE], rubber, edge);
         self.on(Layer::Pins, first, first.0, vec![sleeve]);
         self.on(Layer::Pins, second, second.0, vec![pin([0.0, RADIUS])]);
+    }
+
+    /// The line between its ends: of a chain its parts are short.
+    fn add_beam(&mut self, joint: &Joint) {
+        self.add_support(joint);
+        let bar = line("beam", [along(0.0), along(1.0)], Edge::of(STEEL).wide(LEAF));
+        self.between(Layer::Springs, joint.between, vec![bar]);
     }
 
     fn add_weld(&mut self, joint: &Joint) {

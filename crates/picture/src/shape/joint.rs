@@ -75,6 +75,8 @@ pub enum JointKind {
     },
     /// A pin in rubber.
     Bushing,
+    /// An elastic bar.
+    Beam,
     /// A weld.
     Fixed,
     /// A tip that may touch an outline.
@@ -235,6 +237,7 @@ pub(super) fn joint_of(numbers: &Numbers, name: &str, joint: &model::Joint) -> J
             },
         },
         model::JointKind::Bushing(_) => JointKind::Bushing,
+        model::JointKind::Beam(_) => JointKind::Beam,
         model::JointKind::Fixed { .. } => JointKind::Fixed,
         model::JointKind::Contact { radius, arc, .. } => JointKind::Contact {
             outlines: joint

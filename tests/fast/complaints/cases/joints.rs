@@ -20,7 +20,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""type": "prismatic", "#, "")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing" or "fixed")"#,
+            r#"line 20, column 10: joints.e: "type" is missing (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing", "beam" or "fixed")"#,
         ],
     },
     Case {
@@ -36,7 +36,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, r#""worm""#)],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: "worm": unknown type (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing", "beam" or "fixed")"#,
         ],
     },
     Case {
@@ -44,7 +44,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""prismatic""#, "7")],
         sets: &[],
         complaints: &[
-            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing" or "fixed")"#,
+            r#"line 20, column 20: joints.e.type: 7: text is expected, not a number (one of "revolute", "prismatic", "slot", "gear", "rack", "rolling", "belt", "cam", "contact", "bushing", "beam" or "fixed")"#,
         ],
     },
     Case {

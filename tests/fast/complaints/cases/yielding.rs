@@ -169,4 +169,128 @@ pub const CASES: &[Case] = &[
             r#"line 21, column 116: joints.g.friction: "friction": only revolute and prismatic joints can have friction"#,
         ],
     },
+    Case {
+        what: "beam without a section",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"] }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 10: joints.g: "section" is missing (as in "section": { "type": "rectangle", "width": "20 mm", "height": "1 mm", "material": "steel" })"#,
+        ],
+    },
+    Case {
+        what: "beam of nothing",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "section": { "type": "circle", "diameter": 3 } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 10: joints.g: the beam has no length: both points are in the same place as drawn (give its "length", and the "angles" of its ends in both bodies, or draw the bodies apart by their "pose")"#,
+            r#"line 21, column 75: joints.g.section: it is not known what the beam is made of (add "material": "steel", or "young_modulus": "210 GPa")"#,
+        ],
+    },
+    Case {
+        what: "beam of two materials",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "length": 80, "section": { "type": "circle", "diameter": 3, "material": "steel", "young_modulus": "200 GPa" } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 162: joints.g.section.young_modulus: "200 GPa": the "material" has its own young_modulus (give either the material, or "young_modulus")"#,
+        ],
+    },
+    Case {
+        what: "beam of an unknown shape",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "section": { "type": "square", "width": 3, "material": "steel" } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 85: joints.g.section.type: "square": unknown type (one of "rectangle", "circle", "tube" or "general")"#,
+        ],
+    },
+    Case {
+        what: "beam with a thick wall",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "length": 80, "section": { "type": "tube", "diameter": 3, "wall": 2, "material": "steel" } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 130: joints.g.section.wall: 2: the wall is thicker than half the diameter (a full bar is a "circle")"#,
+        ],
+    },
+    Case {
+        what: "beam without width",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "section": { "type": "rectangle", "height": 3, "material": "steel" } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 75: joints.g.section: "width" is missing (as in "width": "20 mm")"#,
+        ],
+    },
+    Case {
+        what: "beam of an impossible material",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "section": { "type": "circle", "diameter": 3, "material": "steel", "poisson_ratio": 0.7 } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 148: joints.g.section.poisson_ratio: 0.7: must not be greater than 0.5"#,
+        ],
+    },
+    Case {
+        what: "beam with the words of a spring",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "length": 80, "section": { "type": "circle", "diameter": 3, "material": "steel" }, "stiffness": 3, "damping": 1, "limits": [0, 1] }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 147: joints.g.stiffness: "stiffness": the "section" of a beam has its stiffness"#,
+            r#"line 21, column 163: joints.g.damping: "damping": a beam has a "damping_time", by which its stiffness is multiplied"#,
+            r#"line 21, column 177: joints.g.limits: "limits": a beam yields without end; a "revolute" joint has limits"#,
+        ],
+    },
+    Case {
+        what: "beam of negative length and damping",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "section": { "type": "circle", "diameter": 3, "material": "steel" }, "length": -1, "damping_time": -2 }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 143: joints.g.length: -1: must be greater than 0"#,
+            r#"line 21, column 163: joints.g.damping_time: -2: must not be negative"#,
+        ],
+    },
+    Case {
+        what: "beam with the material of a link's bar",
+        edits: &[(
+            r#""axis": [1, 0] }"#,
+            r#""axis": [1, 0] },
+    "g": { "type": "beam", "between": ["crank.O", "rocker.Q"], "length": 80, "section": { "type": "circle", "diameter": 3, "material": "steel", "density": 7800 } }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 21, column 145: joints.g.section.density: "density": unknown key (known keys: type, diameter, material, young_modulus, poisson_ratio, note)"#,
+        ],
+    },
 ];

@@ -112,7 +112,7 @@ impl Collected<'_> {
         }
     }
 
-    /// Springs, loads and torques, belts and bushings, contacts.
+    /// Springs, loads and torques, belts, bushings and beams, contacts.
     fn forces(&mut self) {
         let system = self.system;
         let joints = || system.joints.iter();
@@ -120,9 +120,13 @@ impl Collected<'_> {
             let belt = joint.extras().belt.as_deref();
             belt.is_some_and(crate::element::belt::Belt::acts)
         });
-        let bushings = joints().filter(|joint| joint.extras().bushing.is_some());
+        let yields = |joint: &&JointData| {
+            let extras = joint.extras();
+            extras.bushing.is_some() || extras.beam.is_some()
+        };
+        let yielding = joints().filter(yields);
         // Those of joints stand behind those of the model.
-        let mut behind = belts.chain(bushings);
+        let mut behind = belts.chain(yielding);
         for (index, force) in system.forces.iter().enumerate() {
             let ends = match (system.force_data.get(index), behind.by_ref()) {
                 (Some(data), _) => self.ends_of_force(&data.role),

@@ -2,6 +2,7 @@
 
 use super::needs::bearing;
 use super::{Compiler, roles};
+use crate::element::beam::Beam;
 use crate::element::belt::Belt;
 use crate::element::bushing::Bushing;
 use crate::element::cam::Cam;
@@ -35,6 +36,7 @@ pub(super) struct Made {
     contact: Option<ContactId>,
     pub(super) belt: Option<Box<Belt>>,
     pub(super) bushing: Option<Box<Bushing>>,
+    pub(super) beam: Option<Box<Beam>>,
     cam: Option<Arc<Cam>>,
 }
 
@@ -48,6 +50,7 @@ impl Made {
             contact: None,
             belt: None,
             bushing: None,
+            beam: None,
             cam: None,
         }
     }
@@ -78,6 +81,7 @@ impl Compiler<'_> {
                 extras.friction = friction;
                 extras.belt = made.belt;
                 extras.bushing = made.bushing;
+                extras.beam = made.beam;
             });
             self.system.joints.push(data);
             let mut constraint = made.constraint;
@@ -156,6 +160,7 @@ impl Compiler<'_> {
                 (Arc::new(Rolling { offset, ..drawn }), true)
             }
             JointKind::Bushing(given) => return Made::bushing(given, points),
+            JointKind::Beam(given) => return self.beam(given, points),
             // The caller has taken belts.
             JointKind::Belt { .. } => (Arc::new(Free), true),
             JointKind::Fixed { angle } => {

@@ -23,6 +23,7 @@ pub(super) fn joint_role(kind: &JointKind) -> JointRole {
             radius: *radius,
         },
         JointKind::Bushing(_) => JointRole::Bushing,
+        JointKind::Beam(_) => JointRole::Beam,
         JointKind::Fixed { .. } => JointRole::Fixed,
         JointKind::Contact { .. } => JointRole::Contact,
         _ => JointRole::Other,

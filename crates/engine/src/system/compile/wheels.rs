@@ -1,7 +1,8 @@
-//! What rolls: wheels in mesh, on racks, and with belts; and what yields: bushings.
+//! What rolls: wheels in mesh, on racks, and with belts; and what yields: bushings and beams.
 
 use super::Compiler;
 use super::joints::Made;
+use crate::element::beam::Beam;
 use crate::element::belt::{Belt, Strands};
 use crate::element::bushing::Bushing;
 use crate::element::gear::Gear;
@@ -30,6 +31,32 @@ impl Made {
 }
 
 impl Compiler<'_> {
+    /// An elastic bar, which holds nothing and is a force; without a length or angles it is straight and unloaded as drawn.
+    pub(super) fn beam(&self, given: &model::Beam, [first, second]: [Marker; 2]) -> Made {
+        let section = &given.section;
+        let [area, moment] = section.shape.moments();
+        // Without a modulus the gate has complained.
+        let young = section.stiffness().unwrap_or_default();
+        let shear = section.poisson_ratio.map_or(f64::INFINITY, |nu| {
+            young / (2.0 * (1.0 + nu)) * section.shape.shear_area(nu)
+        });
+        let d: Vec2 = [0, 1]
+            .map(|k: usize| self.as_drawn(|at| (second.place(at) - first.place(at))[k]))
+            .into();
+        let direction = d.y.atan2(d.x);
+        let drawn = [first, second].map(|end| direction - self.drawn_angle(end.body));
+        let mut made = Made::of(Arc::new(Free), true);
+        made.beam = Some(Box::new(Beam {
+            first,
+            second,
+            stiffness: [young * area, young * moment, shear],
+            length: given.length.unwrap_or(d.norm()),
+            angles: given.angles.unwrap_or(drawn),
+            damping: given.damping_time,
+        }));
+        made
+    }
+
     /// A number of the poses as drawn.
     pub(super) fn as_drawn(&self, number: impl Fn(&Kinematics) -> f64) -> f64 {
         let place = |columns: BodyColumns| {
@@ -160,8 +187,14 @@ impl Compiler<'_> {
             self.system.forces.push(Arc::new(strands));
         }
         let joints = self.system.joints.iter();
-        for bushing in joints.filter_map(|joint| joint.extras().bushing.as_deref()) {
-            self.system.forces.push(Arc::new(*bushing));
+        for joint in joints {
+            let extras = joint.extras();
+            if let Some(bushing) = extras.bushing.as_deref() {
+                self.system.forces.push(Arc::new(*bushing));
+            }
+            if let Some(beam) = extras.beam.as_deref() {
+                self.system.forces.push(Arc::new(*beam));
+            }
         }
     }
 
