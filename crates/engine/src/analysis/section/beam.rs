@@ -47,7 +47,7 @@ struct BeamSegment {
 
 /// A bar from x = 0 to its length.
 #[derive(Debug, Clone)]
-pub struct Beam {
+pub struct StraightLink {
     length: f64,
     along: [f64; 2],
     across: [f64; 2],
@@ -61,11 +61,11 @@ pub struct Beam {
 /// Places that are nearer to each other are the same, relative to the length.
 pub const SAME_PLACE: f64 = 1e-9;
 
-impl Beam {
+impl StraightLink {
     /// Under concentrated loads from 0 to `length`, and distributed ones.
     pub fn new(length: f64, mut loads: Vec<Concentrated>, [along, across]: [[f64; 2]; 2]) -> Self {
         loads.sort_by(|one, other| one.x.total_cmp(&other.x));
-        let mut beam = Beam {
+        let mut beam = StraightLink {
             length,
             along,
             across,

@@ -18,7 +18,7 @@ pub use actions::Actions;
 use crate::element::Kinematics;
 use crate::system::{SectionData, System};
 use actions::Action;
-use beam::{Beam, Concentrated, CutForces, Peaks, SAME_PLACE};
+use beam::{Concentrated, CutForces, Peaks, SAME_PLACE, StraightLink};
 use linkdyn_linear::math::{Vec2, perp};
 use linkdyn_model::display::number;
 use linkdyn_output::{Channel, Column, SectionQuantity, Trajectory};
@@ -26,7 +26,7 @@ use linkdyn_output::{Channel, Column, SectionQuantity, Trajectory};
 /// What a link carries inside at an instant.
 pub struct SectionReading<'s> {
     data: &'s SectionData,
-    beam: Beam,
+    beam: StraightLink,
     peaks: Peaks,
 }
 
@@ -77,7 +77,7 @@ impl<'s> SectionReading<'s> {
             (pose.r, fall, alpha),
         ));
         let spread = [along, across].map(|on| [first, by_x].map(|one| data.bar * one.dot(&on)));
-        let beam = Beam::new(data.length, loads, spread);
+        let beam = StraightLink::new(data.length, loads, spread);
         SectionReading {
             peaks: beam.peaks(data.area, data.modulus),
             beam,

@@ -50,7 +50,7 @@ fn beam(seed: u64) -> (Vec<Concentrated>, [[f64; 2]; 2]) {
 fn cuts_are_the_sums_of_what_acts_on_one_side() {
     for seed in 0..20 {
         let (loads, spread) = beam(seed);
-        let beam = Beam::new(LENGTH, loads.clone(), spread);
+        let beam = StraightLink::new(LENGTH, loads.clone(), spread);
         for k in 1..=50 {
             let x = LENGTH * k as f64 / 50.0;
             let (ours, known) = (beam.at(x), by_pieces(&loads, spread, x));
@@ -66,7 +66,7 @@ fn peaks_are_those_of_many_cuts() {
     let (area, modulus) = (1e-4, 1e-7);
     for seed in 0..20 {
         let (loads, spread) = beam(seed);
-        let beam = Beam::new(LENGTH, loads, spread);
+        let beam = StraightLink::new(LENGTH, loads, spread);
         let peaks = beam.peaks(area, modulus);
         let mut most = Peaks::default();
         let count = 20_000;
