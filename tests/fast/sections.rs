@@ -403,3 +403,41 @@ fn nothing_is_left_beyond_the_ends_in_any_model() {
     println!("{tried} models");
     assert!(faults.is_empty() && tried > 30, "{tried}: {faults:#?}");
 }
+
+/// The table of `docs/validation.md`: its bars go into the bundled lock, its numbers come out.
+#[test]
+fn the_links_of_the_lock_carry_what_the_book_says() {
+    let book = include_str!("../../docs/validation.md");
+    let rows: Vec<Vec<&str>> = book
+        .lines()
+        .filter(|line| line.starts_with("| `link"))
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect();
+    assert_eq!(rows.len(), 5);
+    let mut lock: Value =
+        serde_json::from_str(bundled::find("lock").expect("bundled").text).expect("JSON");
+    lock["analysis"]["sample"]["to"] = json!("116 deg");
+    for row in &rows {
+        let (from, to) = row[1].split_once(", ").expect("two pins");
+        lock["bodies"][row[0].trim_matches('`')]["section"] = json!({ "type": "rectangle", "from": from, "to": to,
+            "width": row[2].trim_end_matches(", ours"), "height": row[2], "material": "steel" });
+    }
+    let run = completed(&lock);
+    for row in &rows {
+        let quantities = ["tension", "compression", "bending_moment", "stress"];
+        for (quantity, said) in quantities.iter().zip(&row[3..]) {
+            let (number, unit) = said.split_once(' ').expect("a unit");
+            let size = if unit == "MPa" { 1e6 } else { 1.0 };
+            let known: f64 = number.parse().expect("a number");
+            let values = column(
+                &run,
+                &format!("section.{}.{quantity}", row[0].trim_matches('`')),
+            );
+            let ours = values.iter().fold(0.0_f64, |most, value| most.max(*value)) / size;
+            assert!(
+                (ours / known - 1.0).abs() < 1e-4,
+                "{row:?}: {quantity} {ours}"
+            );
+        }
+    }
+}

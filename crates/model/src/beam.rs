@@ -62,18 +62,18 @@ pub enum BeamShape {
     },
     /// Any other, by its numbers for bending in the plane.
     General {
-        /// Area [m²].
+        /// Area \[m²\].
         area: f64,
-        /// Second moment of area [m⁴].
+        /// Second moment of area \[m⁴\].
         second_moment: f64,
-        /// Area that resists shear [m²]; left out: the area.
+        /// Area that resists shear \[m²\]; left out: the area.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         shear_area: Option<f64>,
     },
 }
 
 impl BeamShape {
-    /// Area [m²] and second moment of area for bending in the plane [m⁴].
+    /// Area \[m²\] and second moment of area for bending in the plane \[m⁴\].
     pub fn moments(&self) -> [f64; 2] {
         let of = |shape: SectionShape| [shape.area(), shape.second_moment()];
         match *self {
@@ -88,7 +88,7 @@ impl BeamShape {
         }
     }
 
-    /// Area that resists shear [m²], of a material with this ratio of Poisson (Cowper, The shear coefficient in Timoshenko's beam theory,
+    /// Area that resists shear \[m²\], of a material with this ratio of Poisson (Cowper, The shear coefficient in Timoshenko's beam theory,
     /// 1966).
     pub fn shear_area(&self, poisson_ratio: f64) -> f64 {
         let nu = poisson_ratio;

@@ -45,11 +45,11 @@ pub enum Dimension {
     Inductance,
     /// Torque by current [N·m/A].
     TorqueConstant,
-    /// An area [m²].
+    /// An area \[m²\].
     Area,
-    /// A section modulus [m³].
+    /// A section modulus \[m³\].
     SectionModulus,
-    /// A second moment of area [m⁴].
+    /// A second moment of area \[m⁴\].
     SecondMoment,
     /// A density [kg/m³].
     Density,

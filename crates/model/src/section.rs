@@ -52,17 +52,17 @@ pub enum SectionShape {
     },
     /// Any other, by its numbers for bending in the plane.
     General {
-        /// Area [m²].
+        /// Area \[m²\].
         area: f64,
-        /// Second moment of area [m⁴].
+        /// Second moment of area \[m⁴\].
         second_moment: f64,
-        /// Section modulus [m³].
+        /// Section modulus \[m³\].
         section_modulus: f64,
     },
 }
 
 impl SectionShape {
-    /// Area [m²].
+    /// Area \[m²\].
     pub fn area(&self) -> f64 {
         match *self {
             SectionShape::Rectangle { width, height } => width * height,
@@ -73,7 +73,7 @@ impl SectionShape {
         }
     }
 
-    /// Second moment of area for bending in the plane [m⁴].
+    /// Second moment of area for bending in the plane \[m⁴\].
     pub fn second_moment(&self) -> f64 {
         match *self {
             SectionShape::Rectangle { width, height } => width * height.powi(3) / 12.0,
@@ -86,7 +86,7 @@ impl SectionShape {
         }
     }
 
-    /// The smallest second moment of area in any direction, as far as it is known [m⁴].
+    /// The smallest second moment of area in any direction, as far as it is known \[m⁴\].
     pub fn least_second_moment(&self) -> f64 {
         match *self {
             SectionShape::Rectangle { width, height } => {
@@ -98,7 +98,7 @@ impl SectionShape {
         }
     }
 
-    /// Section modulus for bending in the plane [m³].
+    /// Section modulus for bending in the plane \[m³\].
     pub fn modulus(&self) -> f64 {
         match *self {
             SectionShape::Rectangle { height, .. } => self.second_moment() / (height / 2.0),

@@ -11,9 +11,9 @@ pub struct SectionData {
     pub(crate) axis: Vec2,
     /// Length of the axis \[m\].
     pub length: f64,
-    /// Area [m²].
+    /// Area \[m²\].
     pub(crate) area: f64,
-    /// Section modulus [m³].
+    /// Section modulus \[m³\].
     pub(crate) modulus: f64,
     /// Mass of the bar by its length [kg/m].
     pub(crate) bar: f64,

@@ -140,7 +140,7 @@ impl StraightLink {
         [rest, self.size]
     }
 
-    /// Largest values, of a bar with this area [m²] and section modulus [m³].
+    /// Largest values, of a bar with this area \[m²\] and section modulus \[m³\].
     pub fn peaks(&self, area: f64, modulus: f64) -> Peaks {
         let mut peaks = Peaks::default();
         for segment in &self.segments {
