@@ -3,7 +3,7 @@
 (() => {
   const engineering = {
     "m": [1e3, "mm"], "m/s": [1e3, "mm/s"], "rad": [180 / Math.PI, "°"], "rad/s": [30 / Math.PI, "rpm"],
-    "m/rad": [1e3, "mm/rad"], "rad/m": [1e-3, "rad/mm"], "N/(N*m)": [1e-3, "N/N·mm"], "N*m/N": [1e3, "N·mm/N"],
+    "Pa": [1e-6, "MPa"], "m/rad": [1e3, "mm/rad"], "rad/m": [1e-3, "rad/mm"], "N/(N*m)": [1e-3, "N/N·mm"], "N*m/N": [1e3, "N·mm/N"],
   };
   // Large values of these are written in thousands.
   const thousands = { "N": "kN", "N*m": "kN·m", "W": "kW", "J": "kJ" };
