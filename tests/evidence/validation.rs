@@ -6,7 +6,7 @@ use linkdyn_validation::{CASES, CaseKind, CaseReport, Verdict};
 use std::path::Path;
 
 /// The cases that are programs, each run by a test of its own here or in `lock`.
-const CODED: [&str; 9] = [
+const CODED: [&str; 10] = [
     "lock",
     "lock-contact",
     "four-bar-spring",
@@ -16,6 +16,7 @@ const CODED: [&str; 9] = [
     "slider-crank-clearance",
     "flores-slider-crank",
     "journal-billiard",
+    "beams",
 ];
 
 /// Runs a case of [`CODED`].
@@ -202,4 +203,15 @@ fn no_case_is_lax() {
             );
         }
     }
+}
+
+#[test]
+fn chains_of_beams_are_the_beams_of_the_literature() {
+    let report = run("beams", None);
+    assert_eq!(report.claims.len(), 48);
+    let claims = report.claims.iter();
+    let off: Vec<_> = claims
+        .filter(|claim| claim.verdict != Verdict::Agrees)
+        .collect();
+    assert!(off.is_empty(), "{off:#?}");
 }

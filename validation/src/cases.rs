@@ -2,8 +2,8 @@
 
 use super::reference::ReferenceCase;
 use super::{
-    Case, CaseKind, flores_slider_crank, four_bar_spring, journal_billiard, lock, path_synthesis,
-    restitution, slider_crank_clearance, tolerance_ladder,
+    Case, CaseKind, beams, flores_slider_crank, four_bar_spring, journal_billiard, lock,
+    path_synthesis, restitution, slider_crank_clearance, tolerance_ladder,
 };
 
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
@@ -69,6 +69,13 @@ pub const CASES: &[Case] = &[
         kind: CaseKind::Coded {
             about: journal_billiard::ABOUT,
             run: journal_billiard::run,
+        },
+    },
+    Case {
+        name: "beams",
+        kind: CaseKind::Coded {
+            about: beams::ABOUT,
+            run: beams::run,
         },
     },
     reference(

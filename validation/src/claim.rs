@@ -73,6 +73,23 @@ impl Verdict {
 const LINE_WIDTH: usize = 120;
 
 impl Claim {
+    /// A number that must be another one, to a tolerance.
+    pub(crate) fn near(what: &str, reference: f64, ours: f64, tolerance: f64) -> Self {
+        let difference = ours - reference;
+        let verdict = if difference.abs() <= tolerance {
+            Verdict::Agrees
+        } else {
+            Verdict::Fault
+        };
+        Claim {
+            what: what.into(),
+            reference: reference.to_string(),
+            ours: ours.to_string(),
+            difference: format!("{difference:.1e}"),
+            verdict,
+        }
+    }
+
     /// The claim in lines: what it is about with the verdict, then reference, ours and difference, in one line where they fit,
     /// and the reason of a finding.
     pub fn lines(&self) -> Vec<String> {

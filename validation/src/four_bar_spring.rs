@@ -4,7 +4,7 @@
 
 use std::f64::consts::{PI, SQRT_2};
 
-use super::{CaseError, CaseReport, Claim, Setting, Verdict};
+use super::{CaseError, CaseReport, Claim, Setting};
 use linkdyn_engine::analysis::{self, Linearised};
 use linkdyn_model::{self, Checked};
 use linkdyn_output::Status;
@@ -38,33 +38,33 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     let angle = damped.bodies[0].1[2];
     let ours = damped.modes[0].eigenvalue;
     let claims = vec![
-        claim(
+        Claim::near(
             "equilibrium as published [rad]",
             PUBLISHED,
             angle,
             PUBLISHED_TO,
         ),
-        claim("equilibrium by bisection [rad]", phi, angle, EXACT),
-        claim(
+        Claim::near("equilibrium by bisection [rad]", phi, angle, EXACT),
+        Claim::near(
             "reduced stiffness by the rod's angle [N·m]",
             stiffness,
             damped.stiffness[0][0],
             EXACT * STIFFNESS,
         ),
-        claim(
+        Claim::near(
             "effective inertia [kg·m²]",
             INERTIA,
             damped.mass[0][0],
             EXACT,
         ),
-        claim(
+        Claim::near(
             "natural frequency without damping [rad/s]",
             (stiffness / INERTIA).sqrt(),
             undamped.modes[0].frequency(),
             EXACT,
         ),
-        claim("real part of the eigenvalue [1/s]", decay, ours[0], EXACT),
-        claim(
+        Claim::near("real part of the eigenvalue [1/s]", decay, ours[0], EXACT),
+        Claim::near(
             "imaginary part [rad/s]",
             (stiffness / INERTIA - decay * decay).sqrt(),
             ours[1],
@@ -128,20 +128,4 @@ fn equilibrium() -> f64 {
         }
     }
     0.5 * (left + right)
-}
-
-fn claim(what: &str, reference: f64, ours: f64, tolerance: f64) -> Claim {
-    let difference = ours - reference;
-    let verdict = if difference.abs() <= tolerance {
-        Verdict::Agrees
-    } else {
-        Verdict::Fault
-    };
-    Claim {
-        what: what.into(),
-        reference: reference.to_string(),
-        ours: ours.to_string(),
-        difference: format!("{difference:.1e}"),
-        verdict,
-    }
 }

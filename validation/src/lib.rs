@@ -4,6 +4,7 @@
 //! `case.json`, `reference.csv` and `SOURCE.md` (see [`mod@reference`]). Both give claims with a verdict. A claim of a paper that is
 //! not reproduced is a finding; only what must hold and does not is a fault.
 
+mod beams;
 mod cases;
 mod claim;
 mod flores_slider_crank;
