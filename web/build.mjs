@@ -22,7 +22,7 @@ const run = (command, args) => {
 if (!process.argv.includes("--page")) {
   const target = process.env.CARGO_TARGET_DIR ?? join(root, "target");
   run("cargo", ["build", "--locked", "--profile", "web", "--target", "wasm32-unknown-unknown", "-p", "linkdyn-web"]);
-  run("cargo", ["run", "--locked", "--release", "-q", "-p", "linkdyn-web-bind", "--", join(target, "wasm32-unknown-unknown/web/linkdyn_web.wasm"), engine]);
+  run("cargo", ["run", "--locked", "--profile", "tool", "-q", "-p", "linkdyn-web-bind", "--", join(target, "wasm32-unknown-unknown/web/linkdyn_web.wasm"), engine]);
 }
 
 const bundled = async (entry) => {

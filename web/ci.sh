@@ -26,4 +26,7 @@ npm ci --ignore-scripts --no-audit --no-fund --silent
 node build.mjs
 npx --no-install tsc --noEmit
 command -v chromium > /dev/null || command -v google-chrome > /dev/null || without "there is no Chromium to test it in"
-node --test tests/
+# Two at a time, and then alone what measures how long things take.
+pace=tests/pace.test.mjs
+node --test --test-concurrency=2 $(ls tests/*.test.mjs | grep -v "^$pace$")
+node --test "$pace"
