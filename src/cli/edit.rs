@@ -64,10 +64,10 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
             path.display()
         )]));
     }
-    let running = Running::default();
+    let (asked_last, ran_last) = (Running::default(), Running::default());
     let answers = move |request: &Request, asked: &str| match (request.method.as_str(), asked) {
-        ("POST", "ask") => worded(sent(request, &path), &request.query, &running),
-        ("POST", "run") => ran(sent(request, &path), &running),
+        ("POST", "ask") => worded(sent(request, &path), &request.query, &asked_last),
+        ("POST", "run") => ran(sent(request, &path), &ran_last),
         _ => answer(&page, &path, request, asked),
     };
     let server = Server::start(LONGEST, Box::new(answers));
@@ -130,7 +130,7 @@ fn answer(page: &str, path: &Path, request: &Request, asked: &str) -> Answer {
     }
 }
 
-/// What is computed for the page; a newer question ends the one before.
+/// What is computed for the page, of one kind; a newer question ends the one before.
 #[derive(Default)]
 struct Running(Mutex<Control>);
 

@@ -378,7 +378,8 @@ fn nothing_is_left_beyond_the_ends_in_any_model() {
             let shape = SectionShape::General {
                 area: 1e-4,
                 second_moment: 1e-9,
-                section_modulus: 1e-7,
+                section_modulus: Some(1e-7),
+                shear_area: None,
             };
             let density = words.mass.filter(|mass| *mass > 0.0);
             words.section = Some(Box::new(LinkSection {

@@ -44,6 +44,7 @@ const SLENDER: Cantilever = Cantilever {
 /// When it can't be run.
 pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     let mut claims = Vec::new();
+    small(setting, &mut claims)?;
     elastica(setting, &mut claims)?;
     thick(setting, &mut claims)?;
     turning(setting, &mut claims)?;
@@ -52,6 +53,27 @@ pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
         text: String::new(),
         claims,
     })
+}
+
+/// Small loads: P L³/3 EI + P L/GA across, N L/EA along, for any number of parts.
+fn small(setting: &Setting, claims: &mut Vec<Claim>) -> Result<(), CaseError> {
+    for (n, shear) in [(1, None), (5, None), (1, Some(30.0)), (5, Some(30.0))] {
+        let bar = Cantilever {
+            axial: 1e3,
+            shear,
+            ..SLENDER
+        };
+        let name = |what: &str| format!("small load, {n} parts, GA {shear:?}: {what}");
+        let load = 1e-7;
+        let known = load / 3.0 + shear.map_or(0.0, |shear| load / shear);
+        let [across, along] = [
+            bar.tip(n, [0.0, load], setting)?[1],
+            bar.tip(n, [1.0, 0.0], setting)?[0],
+        ];
+        claims.push(Claim::near(&name("across [m]"), known, across, 1e-12));
+        claims.push(Claim::near(&name("along [m]"), 1e-3, along, 1e-14));
+    }
+    Ok(())
 }
 
 /// Under a dead load at its end, P L²/EI; the stretch is extrapolated to none.

@@ -83,6 +83,8 @@ const start = async (): Promise<void> => {
   const took = async ({ text, read, picture }: Shown, trying: boolean): Promise<void> => {
     [last, shownText] = [read, text];
     frame.window?.document.body.classList.toggle("old", !read.ok);
+    // Bands are those of the dimensions before.
+    if (trying) canvas.zones = null;
     if (picture) await frame.show(picture, trying);
     if (!trying) tell(read);
   };

@@ -12,10 +12,8 @@ use crate::study::Study;
 use crate::text::Page;
 use crate::{ModelFile, Question, Unanswered};
 
-/// Questions that are answered in words, by the names of their commands.
-pub const QUESTIONS: [&str; 5] = ["check", "statics", "modes", "accuracy", "study"];
-
-/// The answer to one of [`QUESTIONS`], in the words of its command; to any other nothing.
+/// The answer to the question with the name of a command, in the words of this command; nothing for a name that is none of
+/// `check`, `statics`, `modes`, `accuracy` and `study`.
 ///
 /// # Errors
 /// Why it has no answer.

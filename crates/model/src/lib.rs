@@ -97,7 +97,7 @@ pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
 
 pub use self::{
-    beam::{Beam, BeamSection, BeamShape},
+    beam::{Beam, BeamSection},
     bushing::{Bushing, PerAxis},
     cam::{Cam, CamSegment, Follower, Profile},
     expression::Given,

@@ -56,8 +56,12 @@ pub enum SectionShape {
         area: f64,
         /// Second moment of area \[m⁴\].
         second_moment: f64,
-        /// Section modulus \[m³\].
-        section_modulus: f64,
+        /// Section modulus \[m³\], which links need and beams have not.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        section_modulus: Option<f64>,
+        /// Area that resists shear \[m²\], of beams; left out: the area.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        shear_area: Option<f64>,
     },
 }
 
@@ -98,7 +102,22 @@ impl SectionShape {
         }
     }
 
-    /// Section modulus for bending in the plane \[m³\].
+    /// Area that resists shear \[m²\], of a material with this ratio of Poisson, and of a tube with a thin wall (Cowper, The shear coefficient
+    /// in Timoshenko's beam theory, 1966).
+    pub fn shear_area(&self, poisson_ratio: f64) -> f64 {
+        let nu = poisson_ratio;
+        let share = match *self {
+            SectionShape::Rectangle { .. } => 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu),
+            SectionShape::Circle { .. } => 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu),
+            SectionShape::Tube { .. } => 2.0 * (1.0 + nu) / (4.0 + 3.0 * nu),
+            SectionShape::General {
+                area, shear_area, ..
+            } => return shear_area.unwrap_or(area),
+        };
+        share * self.area()
+    }
+
+    /// Section modulus for bending in the plane \[m³\]; NaN where it is not given.
     pub fn modulus(&self) -> f64 {
         match *self {
             SectionShape::Rectangle { height, .. } => self.second_moment() / (height / 2.0),
@@ -107,7 +126,7 @@ impl SectionShape {
             }
             SectionShape::General {
                 section_modulus, ..
-            } => section_modulus,
+            } => section_modulus.unwrap_or(f64::NAN),
         }
     }
 }

@@ -91,7 +91,7 @@ impl Desk {
 /// What a page asks when it is told to.
 #[wasm_bindgen]
 impl Desk {
-    /// The answer to one of `linkdyn_ask::editor::QUESTIONS`, in the words of its command.
+    /// The answer to a question by name, in the words of its command (`linkdyn_ask::editor::words`).
     pub fn words(&self, name: &str) -> String {
         let told = self
             .file()

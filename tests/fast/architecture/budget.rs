@@ -31,7 +31,7 @@ const fn part(
 }
 
 const PARTS: &[Part] = &[
-    part("model", &["crates/model/src"], "rs", 17_500),
+    part("model", &["crates/model/src"], "rs", 17_460),
     part("engine", &["crates/engine/src"], "rs", 43_840),
     part("variation", &["crates/variation/src"], "rs", 5_070),
     part("linear", &["crates/linear/src"], "rs", 3_500),
@@ -49,10 +49,10 @@ const PARTS: &[Part] = &[
     part("of it the command", &["src/cli"], "rs", 4_310),
     part("web", &["crates/web/src", "web/bind/src"], "rs", 440),
     part("editor", &["web/src"], "ts", 2_155),
-    part("validation", &["validation/src"], "rs", 7_730),
+    part("validation", &["validation/src"], "rs", 7_750),
     part("python", &["python/src"], "rs", 1_340),
     part("python package", &["python/linkdyn"], "py", 2_030),
-    part("tests", &["tests"], "rs", 47_060),
+    part("tests", &["tests"], "rs", 46_990),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

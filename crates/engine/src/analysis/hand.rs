@@ -1,6 +1,6 @@
 //! A mechanism that is moved by hand: a point is pulled, drivers let go, and every loop stays assembled as it is.
 //!
-//! Wanted is the position q that joints allow, φ(q) = 0, on the branch of the one before, whose point p is nearest to a target p*. With
+//! The position q is searched that joints allow, φ(q) = 0, on the branch of the last one, with its point p nearest to a target p*. With
 //! the scaled Jacobian J̃ of the joints and a basis N of its null space, from a singular value decomposition, a step is
 //!
 //! ```text
@@ -10,8 +10,8 @@
 //! no longer than `LONGEST`, and moved onto the joints by the shortest way (`mechanism::closing`). A step whose correction is not small
 //! beside it, or that goes past a stop or into an outline, is tried again with half its length. Where one freedom is left, det \[J̃; tᵀ\]
 //! with the tangent t has one sign along a branch: a step over which it changes is halved, too, down to `CROSSED`, so that a branch
-//! that only comes near another is followed around, and a singular position that is crossed is told. Freedom that the point does not
-//! need stays where it is.
+//! that only comes near another is followed around, and a singular position that is crossed is reported. Freedom that the point does
+//! not need is not used.
 
 use super::control::Stop;
 use super::ends::{seen, turns};

@@ -2,7 +2,7 @@
 
 use super::Rules;
 use crate::suggest;
-use crate::{Beam, BeamShape, Body, JointKind, LinkSection, PointRef, SectionShape};
+use crate::{Beam, Body, JointKind, LinkSection, PointRef, SectionShape};
 
 /// Masses and places that differ by less are the same, relative to the mass and the length of the axis.
 const SAME: f64 = 1e-9;
@@ -16,7 +16,7 @@ pub(super) fn sections(rules: &mut Rules<'_>) {
             && !rules.holes.within(&path)
             && !rules.holes.has(&path)
         {
-            of_shape(rules, &path, section);
+            of_shape(rules, &path, section.shape);
             of_material(rules, &path, section);
             let axis = axis(rules, &path, body, section);
             let known = |key: &str| !rules.holes.has(&format!("bodies.{name}.{key}"));
@@ -51,9 +51,7 @@ pub(super) fn beams(rules: &mut Rules<'_>) {
 /// A beam needs one modulus.
 fn made_of(rules: &mut Rules<'_>, path: &str, beam: &Beam) {
     let section = &beam.section;
-    if let BeamShape::Tube { diameter, wall } = section.shape {
-        of_wall(rules, path, diameter, wall);
-    }
+    of_shape(rules, path, section.shape);
     match (section.material, section.young_modulus) {
         (Some(_), Some(_)) => rules.complain(
             format!("{path}.young_modulus"),
@@ -82,14 +80,10 @@ fn apart(model: &crate::Model, between: &[PointRef; 2]) -> Option<f64> {
     Some((b[0] - a[0]).hypot(b[1] - a[1]))
 }
 
-fn of_shape(rules: &mut Rules<'_>, path: &str, section: &LinkSection) {
-    if let SectionShape::Tube { diameter, wall } = section.shape {
-        of_wall(rules, path, diameter, wall);
-    }
-}
-
-fn of_wall(rules: &mut Rules<'_>, path: &str, diameter: f64, wall: f64) {
-    if wall > diameter / 2.0 {
+fn of_shape(rules: &mut Rules<'_>, path: &str, shape: SectionShape) {
+    if let SectionShape::Tube { diameter, wall } = shape
+        && wall > diameter / 2.0
+    {
         rules.complain(
             format!("{path}.wall"),
             "the wall is thicker than half the diameter",

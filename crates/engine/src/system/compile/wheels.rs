@@ -34,7 +34,7 @@ impl Compiler<'_> {
     /// An elastic bar, which holds nothing and is a force; without a length or angles it is straight and unloaded as drawn.
     pub(super) fn beam(&self, given: &model::Beam, [first, second]: [Marker; 2]) -> Made {
         let section = &given.section;
-        let [area, moment] = section.shape.moments();
+        let (area, moment) = (section.shape.area(), section.shape.second_moment());
         // Without a modulus the gate has complained.
         let young = section.stiffness().unwrap_or_default();
         let shear = section.poisson_ratio.map_or(f64::INFINITY, |nu| {
