@@ -15,6 +15,7 @@
 
 pub mod analysis;
 pub mod contact;
+pub mod elastic;
 pub mod element;
 mod graph;
 pub mod integrate;

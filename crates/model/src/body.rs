@@ -1,5 +1,6 @@
 //! Bodies: points, mass, pose guess, and initial values.
 
+use crate::elastic::ElasticLink;
 use crate::section::LinkSection;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
@@ -22,6 +23,8 @@ pub struct Body {
     pub pose: Pose,
     /// Its cross-section, of a straight link of which internal forces are requested.
     pub section: Option<Box<LinkSection>>,
+    /// That it bends.
+    pub elastic: Option<Box<ElasticLink>>,
 }
 
 /// Guess of a body frame's place for the assembly.
@@ -67,6 +70,8 @@ struct BodyWords {
     pose: Pose,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     section: Option<Box<LinkSection>>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    elastic: Option<Box<ElasticLink>>,
 }
 
 /// Two coordinates, or these with a tolerance.
@@ -90,6 +95,7 @@ impl From<BodyWords> for Body {
             point_tolerances: IndexMap::new(),
             pose: words.pose,
             section: words.section,
+            elastic: words.elastic,
         };
         for (name, place) in words.points {
             let (position, tolerance) = match place {
@@ -103,6 +109,7 @@ impl From<BodyWords> for Body {
             body.point_tolerances.extend(tolerance);
             body.points.insert(name, position);
         }
+        body.fill_from_elastic();
         body
     }
 }
@@ -126,6 +133,7 @@ impl From<Body> for BodyWords {
             points: body.points.into_iter().map(place).collect(),
             pose: body.pose,
             section: body.section,
+            elastic: body.elastic,
         }
     }
 }

@@ -53,6 +53,10 @@ pub enum Dimension {
     SecondMoment,
     /// A density [kg/m³].
     Density,
+    /// A stiffness against bending \[N·m²\].
+    BendingStiffness,
+    /// A mass by length [kg/m].
+    LineDensity,
 }
 
 /// Exponents of length, mass, time and angle.
@@ -100,7 +104,7 @@ impl Dimension {
     ];
 
     /// All others: plain numbers of these are always in SI.
-    const ALWAYS_SI: [Dimension; 9] = [
+    const ALWAYS_SI: [Dimension; 11] = [
         Dimension::Frequency,
         Dimension::Voltage,
         Dimension::Resistance,
@@ -110,6 +114,8 @@ impl Dimension {
         Dimension::SectionModulus,
         Dimension::SecondMoment,
         Dimension::Density,
+        Dimension::BendingStiffness,
+        Dimension::LineDensity,
     ];
 
     /// Name in `units`, SI unit, and exponents.
@@ -142,6 +148,8 @@ impl Dimension {
             Dimension::SectionModulus => ("section_modulus", "m^3", powers(3, 0, 0, 0)),
             Dimension::SecondMoment => ("second_moment", "m^4", powers(4, 0, 0, 0)),
             Dimension::Density => ("density", "kg/m^3", powers(-3, 1, 0, 0)),
+            Dimension::BendingStiffness => ("bending_stiffness", "N*m^2", powers(3, 1, -2, 0)),
+            Dimension::LineDensity => ("line_density", "kg/m", powers(-1, 1, 0, 0)),
         }
     }
 

@@ -13,6 +13,7 @@ pub mod cam;
 pub mod clearance;
 pub mod display;
 pub mod driver;
+pub mod elastic;
 pub mod error;
 pub mod event;
 mod file_access;
@@ -100,6 +101,7 @@ pub use self::{
     beam::{Beam, BeamSection},
     bushing::{Bushing, PerAxis},
     cam::{Cam, CamSegment, Follower, Profile},
+    elastic::{ElasticBar, ElasticFrame, ElasticLink, ModalData},
     expression::Given,
     file_access::FileAccess,
     force::Stroke,

@@ -94,6 +94,7 @@ fn plain(tree: &Tree) -> Value {
         Tree::Null => Value::Null,
         Tree::Number(number) => json!(number),
         Tree::Count(count) => json!(count),
+        Tree::Flag(flag) => json!(flag),
         Tree::Text(text) => json!(text),
         Tree::List(items) => items.iter().map(plain).collect(),
         Tree::Map(members) => {
@@ -109,7 +110,7 @@ fn plain(tree: &Tree) -> Value {
 fn is_same(one: &Tree, other: &Tree) -> bool {
     match (one, other) {
         (Tree::Number(one), Tree::Number(other)) => one.to_bits() == other.to_bits(),
-        (Tree::Count(_) | Tree::Text(_), other) => one == other,
+        (Tree::Count(_) | Tree::Flag(_) | Tree::Text(_), other) => one == other,
         (Tree::Null | Tree::Number(_) | Tree::List(_) | Tree::Map(_), _) => false,
     }
 }
@@ -137,7 +138,12 @@ fn is_default(tree: &Tree, field: &Field) -> bool {
         },
         (
             Default::Zeros | Default::Empty,
-            Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::Map(_),
+            Tree::Null
+            | Tree::Number(_)
+            | Tree::Count(_)
+            | Tree::Flag(_)
+            | Tree::Text(_)
+            | Tree::Map(_),
         ) => false,
     }
 }

@@ -265,6 +265,7 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
             false,
             Bound::Between(*least as f64, *most as f64),
         ),
+        Shape::Flag => (keys(json!({ "type": "boolean" })), Keys::new()),
         Shape::ContactStiffness => (
             keys(json!({
                 "type": ["number", "string"], "pattern": QUANTITY_PATTERN, "x-plain": "number",

@@ -170,6 +170,8 @@ pub enum Shape {
     Coefficient(Bound),
     /// A whole number from the first to the second.
     Count(usize, usize),
+    /// True or false.
+    Flag,
     /// A number above zero, which has a dimension where the `law` beside it is linear.
     ContactStiffness,
     /// Two numbers, not both zero.

@@ -151,11 +151,16 @@ fn number<'t>(tree: &'t mut Tree, steps: &[String]) -> Option<&'t mut f64> {
     let found = steps.iter().try_fold(tree, |tree, step| match tree {
         Tree::Map(members) => members.get_mut(step),
         Tree::List(items) => items.get_mut(step.parse::<usize>().ok()?),
-        Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) => None,
+        Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Flag(_) | Tree::Text(_) => None,
     });
     match found? {
         Tree::Number(number) => Some(number),
-        Tree::Null | Tree::Count(_) | Tree::Text(_) | Tree::List(_) | Tree::Map(_) => None,
+        Tree::Null
+        | Tree::Count(_)
+        | Tree::Flag(_)
+        | Tree::Text(_)
+        | Tree::List(_)
+        | Tree::Map(_) => None,
     }
 }
 

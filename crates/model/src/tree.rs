@@ -18,6 +18,8 @@ pub enum Tree {
     Number(f64),
     /// A whole number.
     Count(u64),
+    /// True or false.
+    Flag(bool),
     /// A text.
     Text(String),
     /// A list.
@@ -36,7 +38,12 @@ impl Tree {
     pub fn get(&self, key: &str) -> Option<&Tree> {
         match self {
             Tree::Map(members) => members.get(key).filter(|value| **value != Tree::Null),
-            Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::List(_) => None,
+            Tree::Null
+            | Tree::Number(_)
+            | Tree::Count(_)
+            | Tree::Flag(_)
+            | Tree::Text(_)
+            | Tree::List(_) => None,
         }
     }
 
@@ -44,7 +51,12 @@ impl Tree {
     pub fn entry(&self, index: usize) -> Option<&Tree> {
         match self {
             Tree::List(items) => items.get(index),
-            Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::Map(_) => None,
+            Tree::Null
+            | Tree::Number(_)
+            | Tree::Count(_)
+            | Tree::Flag(_)
+            | Tree::Text(_)
+            | Tree::Map(_) => None,
         }
     }
 
@@ -52,7 +64,12 @@ impl Tree {
     pub fn number(&self) -> Option<f64> {
         match self {
             Tree::Number(number) => Some(*number),
-            Tree::Null | Tree::Count(_) | Tree::Text(_) | Tree::List(_) | Tree::Map(_) => None,
+            Tree::Null
+            | Tree::Count(_)
+            | Tree::Flag(_)
+            | Tree::Text(_)
+            | Tree::List(_)
+            | Tree::Map(_) => None,
         }
     }
 
@@ -60,7 +77,12 @@ impl Tree {
     pub fn text(&self) -> Option<&str> {
         match self {
             Tree::Text(text) => Some(text),
-            Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::List(_) | Tree::Map(_) => None,
+            Tree::Null
+            | Tree::Number(_)
+            | Tree::Count(_)
+            | Tree::Flag(_)
+            | Tree::List(_)
+            | Tree::Map(_) => None,
         }
     }
 }
@@ -81,7 +103,12 @@ impl FromIterator<Tree> for Tree {
 pub fn word<T: Serialize + ?Sized>(choice: &T) -> String {
     match Tree::of(choice) {
         Tree::Text(word) => word,
-        kind @ (Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::List(_) | Tree::Map(_)) => {
+        kind @ (Tree::Null
+        | Tree::Number(_)
+        | Tree::Count(_)
+        | Tree::Flag(_)
+        | Tree::List(_)
+        | Tree::Map(_)) => {
             let kind = kind.get("type").and_then(Tree::text);
             kind.unwrap_or_default().to_owned()
         }
@@ -103,6 +130,7 @@ impl<'de> Deserializer<'de> for &'de Tree {
             Tree::Null => visitor.visit_unit(),
             Tree::Number(number) => visitor.visit_f64(*number),
             Tree::Count(count) => visitor.visit_u64(*count),
+            Tree::Flag(flag) => visitor.visit_bool(*flag),
             Tree::Text(text) => visitor.visit_borrowed_str(text),
             Tree::List(items) => visitor.visit_seq(SeqDeserializer::new(items.iter())),
             Tree::Map(members) => {
@@ -169,8 +197,8 @@ impl ser::Serializer for Writer {
     type SerializeStruct = Members;
     type SerializeStructVariant = ser::Impossible<Tree, Unwritten>;
 
-    fn serialize_bool(self, _: bool) -> Written {
-        unwritten()
+    fn serialize_bool(self, value: bool) -> Written {
+        Ok(Tree::Flag(value))
     }
     fn serialize_i8(self, value: i8) -> Written {
         Ok(Tree::Number(value.into()))
@@ -328,7 +356,12 @@ impl ser::SerializeMap for Members {
     fn serialize_key<T: Serialize + ?Sized>(&mut self, key: &T) -> Result<(), Unwritten> {
         match key.serialize(Writer)? {
             Tree::Text(key) => self.key = key,
-            Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::List(_) | Tree::Map(_) => {
+            Tree::Null
+            | Tree::Number(_)
+            | Tree::Count(_)
+            | Tree::Flag(_)
+            | Tree::List(_)
+            | Tree::Map(_) => {
                 return unwritten();
             }
         }

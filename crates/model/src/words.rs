@@ -239,6 +239,7 @@ fn shape(text: &'static str) -> Option<Shape> {
             let most = usize::try_from(most.parse::<u64>().ok()?);
             Shape::Count(least.parse().ok()?, most.unwrap_or(usize::MAX))
         }
+        "flag" => Shape::Flag,
         "contact_stiffness" => Shape::ContactStiffness,
         "direction" => Shape::Direction,
         "pair" => Shape::Pair(kept(self::shape(rest)?)),

@@ -8,7 +8,7 @@ use super::readings::{BodyReading, JointReading, PointReading, energy, stroke, s
 use super::sample::Sample;
 use super::section::{self, Actions, SectionReading};
 use crate::element::Measure;
-use crate::system::{Evaluation, Inputs, JointData, System};
+use crate::system::{BodyPart, Evaluation, Inputs, JointData, System};
 use linkdyn_output::{
     BodyQuantity, Channel, Column, DriverQuantity, EnergyQuantity, JointQuantity, LoadQuantity,
     PointQuantity, SectionQuantity, StateQuantity,
@@ -315,16 +315,26 @@ impl Contents {
     pub fn columns(self, system: &System) -> Vec<Column> {
         let mut columns = vec![Column::of(Channel::Time, "", "s")];
         for (body, data) in system.bodies.iter().enumerate() {
-            columns.extend(self.of_body().map(|quantity| {
-                Column::of(Channel::Body(body, quantity), &data.name, quantity.unit())
-            }));
+            match data.part {
+                BodyPart::Own | BodyPart::Node(_) | BodyPart::Section => {
+                    columns.extend(self.of_body().map(|quantity| {
+                        Column::of(Channel::Body(body, quantity), &data.name, quantity.unit())
+                    }))
+                }
+                BodyPart::Amplitudes { first, count } => {
+                    columns.extend(self.of_amplitudes(body, &data.link, first, count));
+                }
+                // These follow from the frame and the amplitudes.
+                BodyPart::MassPoint => {}
+            }
         }
         for (point, data) in system.points.iter().enumerate() {
             columns.extend(self.of_point().map(|quantity| {
                 Column::of(Channel::Point(point, quantity), &data.name, quantity.unit())
             }));
         }
-        for (joint, data) in system.joints.iter().enumerate() {
+        let joints = system.joints.iter().enumerate();
+        for (joint, data) in joints.filter(|(_, data)| data.is_own()) {
             columns.extend(self.of_joint(data).map(|quantity| {
                 let unit = joint_unit(quantity, data);
                 Column::of(Channel::Joint(joint, quantity), &data.name, unit)
@@ -368,6 +378,26 @@ impl Contents {
         let rates = TWISTS.into_iter().filter(move |_| self.velocities);
         let changes = CHANGES.into_iter().filter(move |_| self.accelerations);
         POSES.into_iter().chain(rates).chain(changes)
+    }
+
+    /// Amplitudes of an elastic link, with rates and accelerations: `rod.q1`, `rod.q1_rate`, `rod.q1_acceleration`.
+    fn of_amplitudes(self, body: usize, link: &str, first: usize, count: usize) -> Vec<Column> {
+        let orders = [
+            [BodyQuantity::X, BodyQuantity::Vx, BodyQuantity::Ax],
+            [BodyQuantity::Y, BodyQuantity::Vy, BodyQuantity::Ay],
+        ];
+        let wanted = [true, self.velocities, self.accelerations];
+        let of = |k: usize| {
+            let orders = orders[k].into_iter().zip(["", "_rate", "_acceleration"]);
+            let orders = orders.zip(wanted).filter(|(_, wanted)| *wanted);
+            orders.map(move |((quantity, order), _)| Column {
+                name: format!("{link}.q{}{order}", first + k + 1),
+                owner: link.to_owned(),
+                unit: quantity.unit(),
+                channel: Some(Channel::Body(body, quantity)),
+            })
+        };
+        (0..count).flat_map(of).collect()
     }
 
     fn of_point(self) -> impl Iterator<Item = PointQuantity> {

@@ -18,7 +18,7 @@ use super::{ends, leaning};
 use crate::element::Axis;
 use crate::mechanism::equilibrium::{Balance, judge};
 use crate::mechanism::linearised_system::LinearisedSystem;
-use crate::system::{System, compile::compile_about_rest};
+use crate::system::{BodyPart, System, compile::compile_about_rest};
 use linkdyn_linear::eigen::{EigenFault, Eigenpair, quadratic};
 use linkdyn_model::Checked;
 use linkdyn_model::error::{Complaint, Complaints};
@@ -187,6 +187,7 @@ fn bodies(held: &LinearisedSystem) -> Vec<(String, [f64; 3])> {
     let system = held.driven.system;
     let bodies = system.bodies.iter().zip(system.layout.bodies());
     bodies
+        .filter(|(body, _)| body.part != BodyPart::MassPoint)
         .map(|(body, columns)| {
             let [x, y, theta] = columns.read(&held.q);
             let rho = crate::element::Pose::new(x, y, theta).turn(body.origin);
@@ -201,7 +202,8 @@ fn mode(held: &LinearisedSystem, pair: &Eigenpair) -> Mode {
         [0, 1].map(|part| held.along(&pair.vector.iter().map(|x| x[part]).collect::<Vec<_>>()));
     let system = held.driven.system;
     let mut shape: Vec<[[f64; 2]; 3]> = Vec::with_capacity(system.bodies.len());
-    for (body, columns) in system.bodies.iter().zip(system.layout.bodies()) {
+    let bodies = system.bodies.iter().zip(system.layout.bodies());
+    for (body, columns) in bodies.filter(|(body, _)| body.part != BodyPart::MassPoint) {
         let angle = held.q[columns.theta()];
         let rho = crate::element::Pose::new(0.0, 0.0, angle).turn(body.origin);
         let of = |s: &[f64]| {
@@ -221,9 +223,9 @@ fn mode(held: &LinearisedSystem, pair: &Eigenpair) -> Mode {
 /// Divides by the largest component, so that it becomes 1.
 fn normalise(shape: &mut [[[f64; 2]; 3]], system: &System) {
     let mut largest = ([1.0, 0.0], 0.0);
-    for (place, columns) in shape.iter().zip(system.layout.bodies()) {
+    for place in shape.iter() {
         for (value, axis) in place.iter().zip(Axis::ALL) {
-            let scale = system.column_scale(columns.column(axis));
+            let scale = system.axis_scale(axis);
             let size = value[0].hypot(value[1]) / scale;
             // Of equal ones the first, whatever the round-off.
             if size > largest.1 * (1.0 + 1e-9) {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::element::{BodyId, Kinematics, Marker};
-use crate::system::{Evaluation, Inputs, System};
+use crate::system::{BodyPart, Evaluation, Inputs, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_output::{BodyQuantity, Channel, Column, StateQuantity};
 
@@ -73,6 +73,34 @@ pub struct States {
     frames: Vec<Frame>,
     /// Columns of the rates, where the table has them.
     rates: Vec<Option<[usize; 3]>>,
+    /// Bodies of two amplitudes, with the columns of each and of its rate.
+    amplitudes: Vec<(usize, [[Option<usize>; 2]; 2])>,
+}
+
+/// The frame of a body; that of no column where it follows from others.
+fn frame(system: &System, columns: &Columns, body: usize) -> Option<Frame> {
+    let column = |quantity| columns.find(Channel::Body(body, quantity));
+    match system.bodies[body].part {
+        BodyPart::Own | BodyPart::Node(_) | BodyPart::Section => {
+            Frame::of(columns, BodyId(body + 1))
+        }
+        BodyPart::Amplitudes { .. } => column(BodyQuantity::X).map(|_| Frame::GROUND),
+        BodyPart::MassPoint => Some(Frame::GROUND),
+    }
+}
+
+/// Bodies of two amplitudes, with the columns of each and of its rate.
+fn amplitudes(system: &System, columns: &Columns) -> Vec<(usize, [[Option<usize>; 2]; 2])> {
+    const BOTH: [[BodyQuantity; 2]; 2] = [
+        [BodyQuantity::X, BodyQuantity::Vx],
+        [BodyQuantity::Y, BodyQuantity::Vy],
+    ];
+    let bodies = system.bodies.iter().enumerate();
+    let of = bodies.filter(|(_, data)| matches!(data.part, BodyPart::Amplitudes { .. }));
+    let find = |body: usize| {
+        BOTH.map(|orders| orders.map(|quantity| columns.find(Channel::Body(body, quantity))))
+    };
+    of.map(|(body, _)| (body, find(body))).collect()
 }
 
 impl States {
@@ -86,8 +114,9 @@ impl States {
                 .map(|body| columns.of_body(body, TWIST))
                 .collect(),
             frames: bodies
-                .map(|body| Frame::of(columns, BodyId(body + 1)))
+                .map(|body| frame(system, columns, body))
                 .collect::<Option<_>>()?,
+            amplitudes: amplitudes(system, columns),
         })
     }
 
@@ -104,6 +133,18 @@ impl States {
             let columns = system.layout.moving(k);
             columns.write(q, [centre.x, centre.y, angle]);
         }
+        self.amplitudes(system, row, q, 0);
+        system.carry(q, None);
+    }
+
+    /// Writes amplitudes, or their rates.
+    fn amplitudes(&self, system: &System, row: &[f64], to: &mut [f64], order: usize) {
+        for (body, columns) in &self.amplitudes {
+            let own = columns.map(|orders| orders[order].map_or(0.0, |column| row[column]));
+            let [first, second] = own;
+            let place = system.layout.moving(*body);
+            place.write(to, [first, second, 0.0]);
+        }
     }
 
     /// Velocities (n); zero where the table has none.
@@ -115,6 +156,7 @@ impl States {
             let columns = system.layout.moving(k);
             columns.write(v, [vx + omega * rho.y, vy - omega * rho.x, omega]);
         }
+        self.amplitudes(system, row, v, 1);
     }
 }
 
@@ -158,6 +200,7 @@ impl<'s> Replay<'s> {
         }
         self.states.position(self.system, row, &mut self.q);
         self.states.velocity(self.system, row, &mut self.v);
+        self.system.carry(&mut self.q, Some(&mut self.v));
         self.evaluation.set_position(&self.q);
         self.evaluation.set_velocity(&self.v);
     }

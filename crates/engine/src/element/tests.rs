@@ -57,7 +57,9 @@ pub(crate) fn all_constraints() -> Vec<Named> {
     ];
     let pieces = [super::edge::tests::held(), super::cam::tests::all()];
     let all = own.into_iter().chain(pieces).flatten();
-    let more = rolling.into_iter().chain([super::distance::tests::both()]);
+    let more = rolling
+        .into_iter()
+        .chain([super::distance::tests::both(), super::station::tests::all()]);
     all.chain(more.flatten()).collect()
 }
 

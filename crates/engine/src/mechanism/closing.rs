@@ -328,12 +328,12 @@ fn matrix(
     values: &mut [f64],
 ) {
     let at = evaluation.kinematics(inputs);
-    let mut buffer = [0.0; 16];
+    let mut buffer = Vec::new();
     let mut slots = rows.slots.iter();
     for (block, weight) in rows.blocks.iter().zip(&rows.weights) {
         let entries = block.constraint.entries();
-        let buffer = &mut buffer[..entries.len()];
-        block.constraint.jacobian(&at, buffer);
+        buffer.resize(entries.len(), 0.0);
+        block.constraint.jacobian(&at, &mut buffer);
         for ((value, (row, _, axis)), slot) in buffer.iter().zip(entries).zip(&mut slots) {
             let column_scale = system.axis_scale(axis);
             let scaled =

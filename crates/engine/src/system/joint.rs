@@ -104,6 +104,16 @@ impl JointData {
         }
     }
 
+    /// What holds parts of an elastic link.
+    pub(super) fn inner(name: &str, points: [Marker; 2]) -> Self {
+        JointData::of(name, JointRole::Inner, points, true)
+    }
+
+    /// Whether it is a joint of the file.
+    pub(crate) fn is_own(&self) -> bool {
+        self.role() != JointRole::Inner
+    }
+
     /// The same joint of other points.
     pub(super) fn moved(mut self, points: [Marker; 2]) -> Self {
         self.pin = None;

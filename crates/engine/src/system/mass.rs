@@ -20,6 +20,11 @@ impl Mass {
         self.diagonal.extend([mass, mass, inertia]);
     }
 
+    /// Replaces mass and inertia of a rigid body [kg, kg·m²].
+    pub(crate) fn set_rigid(&mut self, columns: BodyColumns, mass: f64, inertia: f64) {
+        self.diagonal[columns.range()].copy_from_slice(&[mass, mass, inertia]);
+    }
+
     /// Adds the block that a body has in another matrix.
     pub(crate) fn push_block_of(&mut self, other: &Mass, columns: BodyColumns) {
         self.diagonal

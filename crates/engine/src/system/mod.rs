@@ -53,6 +53,7 @@ use crate::element::cam::Cam;
 use crate::element::enclosure::Enclosure;
 use crate::element::formula::Formula;
 use crate::element::pair::{ContactId, Pair};
+use crate::element::station::Station;
 use crate::element::{Axis, ConstraintDependentForce, Force, Layout, Marker, Measure};
 use crate::motion::{Jet, Law};
 use linkdyn_linear::math::Vec2;
@@ -100,6 +101,32 @@ pub struct BodyData {
     pub origin: Vec2,
     /// Whether the file says that its mass or its inertia is zero.
     pub(crate) is_light: bool,
+    /// What it is to the user.
+    pub part: BodyPart,
+    /// The body of the file to which it belongs.
+    pub link: String,
+    /// How it follows from an elastic link, of a section of one.
+    pub(crate) carried: Option<Arc<Station>>,
+}
+
+/// What a body of the equations is to the user.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BodyPart {
+    /// A body of the file.
+    Own,
+    /// No body: its x and y are amplitudes of an elastic link.
+    Amplitudes {
+        /// The number of the first among those of the link.
+        first: usize,
+        /// How many there are, 1 or 2.
+        count: usize,
+    },
+    /// A section of an elastic link, at a point of the file.
+    Section,
+    /// What stands for a part of the mass of an elastic link.
+    MassPoint,
+    /// A rigid part of a chain of elements, by its number.
+    Node(usize),
 }
 
 /// A driver's numbers beyond its constraint.
@@ -312,6 +339,35 @@ impl System {
         self.joints
             .iter()
             .filter_map(|joint| joint.extras().cam.as_deref())
+    }
+
+    /// Writes where the sections and mass points of elastic links are, which follow from their frames and amplitudes, and how they move.
+    pub(crate) fn carry(&self, q: &mut [f64], v: Option<&mut [f64]>) {
+        if self.bodies.iter().all(|body| body.carried.is_none()) {
+            return;
+        }
+        let mut evaluation = Evaluation::new(self);
+        evaluation.set_position(q);
+        if let Some(v) = &v {
+            evaluation.set_velocity(v);
+        }
+        let inputs = Inputs::still(self);
+        let at = evaluation.kinematics(&inputs);
+        let carried = self.bodies.iter().zip(self.layout.bodies());
+        let carried: Vec<_> = carried
+            .filter_map(|(body, columns)| {
+                let station = body.carried.as_deref()?;
+                Some((columns, station.pose(&at), station.twist(&at)))
+            })
+            .collect();
+        for (columns, (place, angle), _) in &carried {
+            columns.write(q, [place.x, place.y, *angle]);
+        }
+        if let Some(v) = v {
+            for (columns, _, (velocity, omega)) in &carried {
+                columns.write(v, [velocity.x, velocity.y, *omega]);
+            }
+        }
     }
 
     /// Number of coordinates n.

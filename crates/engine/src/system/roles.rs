@@ -38,6 +38,8 @@ pub enum JointRole {
     Beam,
     /// Two bodies as one.
     Fixed,
+    /// What holds the parts of an elastic link together.
+    Inner,
     /// A tip that may touch an outline.
     Contact,
     /// Any other kind: its constraint says all that results need.

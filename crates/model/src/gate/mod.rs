@@ -8,6 +8,7 @@ mod analysis;
 mod cams;
 mod clearance;
 mod drivers;
+mod elastic;
 mod forces;
 mod holes;
 mod measures;
@@ -154,6 +155,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     rules.bodies();
     sections::sections(&mut rules);
     sections::beams(&mut rules);
+    elastic::links(&mut rules);
     rules.joints();
     drivers::drivers(&mut rules);
     forces::forces(&mut rules);

@@ -47,7 +47,12 @@ pub(super) fn ranges<'t>(
     };
     match model {
         Tree::Map(_) => look.object(model, words::file()),
-        Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::List(_) => {
+        Tree::Null
+        | Tree::Number(_)
+        | Tree::Count(_)
+        | Tree::Flag(_)
+        | Tree::Text(_)
+        | Tree::List(_) => {
             look.complain("this is no model");
         }
     }
@@ -205,7 +210,7 @@ impl<'t> RangeCheck<'_, 't> {
                         Some("the least value comes first".to_owned());
                 }
             }
-            Tree::Null | Tree::Count(_) | Tree::Text(_) | Tree::Map(_) => {}
+            Tree::Null | Tree::Count(_) | Tree::Flag(_) | Tree::Text(_) | Tree::Map(_) => {}
         }
     }
 

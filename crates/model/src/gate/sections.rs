@@ -18,7 +18,7 @@ pub(super) fn sections(rules: &mut Rules<'_>) {
         {
             of_shape(rules, &path, section.shape);
             of_material(rules, &path, section);
-            let axis = axis(rules, &path, body, section);
+            let axis = axis(rules, &path, body, [&section.from, &section.to]);
             let known = |key: &str| !rules.holes.has(&format!("bodies.{name}.{key}"));
             if let Some(axis) = axis.filter(|_| ["mass", "com"].into_iter().all(known)) {
                 mass(rules, &path, body, section, axis);
@@ -80,7 +80,7 @@ fn apart(model: &crate::Model, between: &[PointRef; 2]) -> Option<f64> {
     Some((b[0] - a[0]).hypot(b[1] - a[1]))
 }
 
-fn of_shape(rules: &mut Rules<'_>, path: &str, shape: SectionShape) {
+pub(super) fn of_shape(rules: &mut Rules<'_>, path: &str, shape: SectionShape) {
     if let SectionShape::Tube { diameter, wall } = shape
         && wall > diameter / 2.0
     {
@@ -108,11 +108,11 @@ fn of_material(rules: &mut Rules<'_>, path: &str, section: &LinkSection) {
 }
 
 /// The ends of the axis, in the frame of the body \[m\].
-fn axis(
+pub(super) fn axis(
     rules: &mut Rules<'_>,
     path: &str,
     body: &Body,
-    section: &LinkSection,
+    [begins, ends]: [&String; 2],
 ) -> Option<[[f64; 2]; 2]> {
     let mut end = |key: &str, point: &String| {
         let place = body.points.get(point);
@@ -128,21 +128,18 @@ fn axis(
         }
         place.copied()
     };
-    let ends = [end("from", &section.from), end("to", &section.to)];
-    let [Some(from), Some(to)] = ends else {
+    let [Some(from), Some(to)] = [end("from", begins), end("to", ends)] else {
         return None;
     };
     let hint = "give two points apart from each other, between which the link is straight";
-    if section.from == section.to {
-        let message = format!("the axis begins and ends at {:?}", section.from);
+    if begins == ends {
+        let message = format!("the axis begins and ends at {begins:?}");
         rules.complain(format!("{path}.to"), message, hint);
         return None;
     }
     if from == to {
-        let message = format!(
-            "the axis has no length: {:?} and {:?} are in the same place",
-            section.from, section.to
-        );
+        let message =
+            format!("the axis has no length: {begins:?} and {ends:?} are in the same place");
         rules.complain(format!("{path}.to"), message, hint);
         return None;
     }

@@ -34,9 +34,12 @@ impl Printer<'_> {
                     false => self.leaf(tree, of, None, driven),
                 }
             }
-            Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Text(_) | Tree::Map(_) => {
-                self.leaf(tree, of, written, driven)
-            }
+            Tree::Null
+            | Tree::Number(_)
+            | Tree::Count(_)
+            | Tree::Flag(_)
+            | Tree::Text(_)
+            | Tree::Map(_) => self.leaf(tree, of, written, driven),
         }
     }
 

@@ -30,6 +30,7 @@ pub fn filler(shape: &Shape) -> Tree {
         | Shape::Varying(_)
         | Shape::Formula(_) => Tree::Number(0.0),
         Shape::Count(least, _) => Tree::Count(*least as u64),
+        Shape::Flag => Tree::Flag(false),
         Shape::Direction => [1.0, 0.0].map(Tree::Number).into_iter().collect(),
         Shape::Place => [0.0, 0.0].map(Tree::Number).into_iter().collect(),
         Shape::Pair(of) => Tree::List(vec![filler(of), filler(of)]),

@@ -300,6 +300,13 @@ impl<'a> Walk<'a> {
                 let bound = Bound::Between(*least as f64, *most as f64);
                 self.whole(node, bound, path).map(Tree::Count)
             }
+            Shape::Flag => match node.kind {
+                Kind::Bool(flag) => Some(Tree::Flag(flag)),
+                _ => {
+                    self.complain(node, wrong_kind(path, "true or false", node));
+                    None
+                }
+            },
             Shape::Direction => {
                 self.list(node, &Shape::Number(Bound::Any), (2, Some(2)), path, driven)
             }

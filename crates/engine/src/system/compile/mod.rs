@@ -5,6 +5,7 @@ mod cams;
 mod contact_parameters;
 mod drivers;
 mod edges;
+mod elastic;
 mod forces;
 mod formulas;
 mod joints;
@@ -20,9 +21,12 @@ pub use laws::{law, value_law};
 pub use profiles::{Profile, profiles};
 
 use super::rows::{reach, size, spread};
-use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, SectionData, StateData, System};
+use super::{
+    BodyData, BodyPart, Extent, Mass, Origin, OutputPoint, Scale, SectionData, StateData, System,
+};
 use crate::element::pair::ContactId;
-use crate::element::{BodyId, Constraint, Layout, Marker, Pose};
+use crate::element::{BodyId, Constraint, Force, Layout, Marker, Pose};
+use elastic::Elastic;
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::response::{Catalogue, Look};
@@ -70,7 +74,15 @@ fn compile_with(
     if analysis == AnalysisKind::QuasiStatics {
         joints.slow();
     }
-    let system = lower(model, joints, complaints, currents)?;
+    // Where it is not moved by forces, a link is rigid.
+    let elastic = match analysis {
+        AnalysisKind::Dynamics | AnalysisKind::Statics => Elastic::new(model, &mut complaints),
+        AnalysisKind::Assembly
+        | AnalysisKind::Kinematics
+        | AnalysisKind::InverseDynamics
+        | AnalysisKind::QuasiStatics => Elastic::default(),
+    };
+    let system = lower(model, (joints, elastic), complaints, currents)?;
     Ok(match analysis {
         AnalysisKind::QuasiStatics => System {
             is_slow: true,
@@ -91,17 +103,18 @@ fn compile_with(
 pub fn compile_geometry(model: &Checked) -> Result<System, Complaints> {
     let mut complaints = Vec::new();
     let joints = Joints::new(model, &mut complaints);
-    lower(model, joints, complaints, Currents::Steady)
+    let parts = (joints, Elastic::default());
+    lower(model, parts, complaints, Currents::Steady)
 }
 
-fn lower(
-    model: &Model,
-    joints: Joints<'_>,
+fn lower<'a>(
+    model: &'a Model,
+    parts: (Joints<'a>, Elastic<'a>),
     complaints: Vec<Complaint>,
     currents: Currents,
 ) -> Result<System, Complaints> {
     if complaints.is_empty() {
-        Ok(Compiler::new(model, joints, currents).build())
+        Ok(Compiler::new(model, parts, currents).build())
     } else {
         Err(complaints.into())
     }
@@ -110,6 +123,9 @@ fn lower(
 struct Compiler<'a> {
     model: &'a Model,
     joints: Joints<'a>,
+    elastic: Elastic<'a>,
+    /// What elastic links exert inside, behind all forces of the model.
+    elastic_forces: Vec<Arc<dyn Force>>,
     ids: HashMap<&'a str, BodyId>,
     /// Centre of mass in the body's frame, by body id.
     com: Vec<Vec2>,
@@ -131,12 +147,17 @@ struct Compiler<'a> {
 }
 
 impl<'a> Compiler<'a> {
-    fn new(model: &'a Model, joints: Joints<'a>, currents: Currents) -> Self {
+    fn new(
+        model: &'a Model,
+        (joints, elastic): (Joints<'a>, Elastic<'a>),
+        currents: Currents,
+    ) -> Self {
         let mut ids = HashMap::from([(GROUND, BodyId::GROUND)]);
         let mut com = vec![Vec2::zeros()];
         for (name, body) in model.bodies.iter().filter(|(name, _)| *name != GROUND) {
             ids.insert(name, BodyId(com.len()));
-            com.push(body.com.map_or(Vec2::zeros(), Vec2::from));
+            let centre = || body.com.map_or(Vec2::zeros(), Vec2::from);
+            com.push(elastic.origin(name, body).unwrap_or_else(centre));
         }
         let system = System {
             layout: Layout::rigid(com.len() - 1),
@@ -181,6 +202,8 @@ impl<'a> Compiler<'a> {
         Compiler {
             model,
             joints,
+            elastic,
+            elastic_forces: Vec::new(),
             ids,
             com,
             catalogue: None,
@@ -199,7 +222,9 @@ impl<'a> Compiler<'a> {
         self.system.extents = self.extents();
         self.system.size = size(&self.system.extents);
         self.system.reach = reach(&self.system.extents);
+        self.place_elastic();
         self.add_joints();
+        self.hold_elastic();
         self.add_drivers();
         self.add_stops();
         self.add_edges();
@@ -228,6 +253,9 @@ impl<'a> Compiler<'a> {
     }
 
     fn marker(&self, point: &PointRef) -> Marker {
+        if let Some(marker) = self.elastic.place(&point.body, &point.point) {
+            return marker;
+        }
         let body = self.body(&point.body);
         let place = self.model.bodies[&point.body].points[&point.point];
         Marker {
@@ -248,7 +276,11 @@ impl<'a> Compiler<'a> {
             self.system
                 .guess
                 .extend([centre.x, centre.y, body.pose.angle]);
-            let (mass, inertia) = (body.mass.unwrap_or(0.0), body.inertia.unwrap_or(0.0));
+            // The mass of an elastic body is in its sections.
+            let (mass, inertia) = match self.elastic.origin(name, body) {
+                Some(_) => (0.0, 0.0),
+                None => (body.mass.unwrap_or(0.0), body.inertia.unwrap_or(0.0)),
+            };
             self.system.mass.push_rigid(mass, inertia);
             self.system.masses_known &= body.mass.is_some() && body.inertia.is_some();
             if let Some(own) = &body.section {
@@ -260,6 +292,9 @@ impl<'a> Compiler<'a> {
                 name: name.clone(),
                 origin: -com,
                 is_light: body.mass == Some(0.0) || body.inertia == Some(0.0),
+                part: BodyPart::Own,
+                link: name.clone(),
+                carried: None,
             });
         }
     }

@@ -196,6 +196,7 @@ impl Compiler<'_> {
                 self.system.forces.push(Arc::new(*beam));
             }
         }
+        self.system.forces.append(&mut self.elastic_forces);
     }
 
     /// Angle of a body as drawn \[rad\].

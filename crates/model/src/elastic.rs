@@ -1,0 +1,188 @@
+//! Elastic links: straight bars that bend, and bodies by their modal data.
+
+use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
+
+use crate::Model;
+use crate::body::Body;
+use crate::section::{LinkMaterial, SectionShape};
+use crate::tree::Tree;
+
+/// How a body bends along the straight line between two of its points.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+pub struct ElasticLink {
+    /// The point of the body where its axis begins.
+    pub from: String,
+    /// The point of the body where it ends.
+    pub to: String,
+    /// Its cross-section.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub section: Option<SectionShape>,
+    /// What it is made of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material: Option<LinkMaterial>,
+    /// Young's modulus E \[Pa\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub young_modulus: Option<f64>,
+    /// Density [kg/m³].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub density: Option<f64>,
+    /// EI [N·m²].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bending_stiffness: Option<f64>,
+    /// EA \[N\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial_stiffness: Option<f64>,
+    /// ρA [kg/m].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mass_per_length: Option<f64>,
+    /// Matrices instead of a bar.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub modal: Option<Box<ModalData>>,
+    /// Number of bending modes with its joints held; 2 where left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub modes: Option<usize>,
+    /// Number of elements, instead of modes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub elements: Option<usize>,
+    /// Where the frame of its deflections is; `chord` where left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frame: Option<ElasticFrame>,
+    /// Whether it also stretches.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial: Option<bool>,
+    /// Damping ratio of each mode [–].
+    #[serde(default)]
+    pub damping: f64,
+    /// Amplitudes at the start \[m\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub amplitudes: Option<Vec<f64>>,
+    /// Rates of the amplitudes at the start [m/s].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rates: Option<Vec<f64>>,
+}
+
+/// The frame in which a link is deflected.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ElasticFrame {
+    /// Its axis goes through both ends.
+    Chord,
+    /// Its axis is tangent to the link where it begins.
+    Tangent,
+}
+
+/// A body that deflects by u = Σ Φ_i q_i: its matrices and inertia integrals.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+pub struct ModalData {
+    /// ∫ρ Φ_i·Φ_j.
+    pub mass: Vec<Vec<f64>>,
+    /// Stiffness matrix.
+    pub stiffness: Vec<Vec<f64>>,
+    /// Damping matrix.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub damping: Option<Vec<Vec<f64>>>,
+    /// ∫ρ Φ_i.
+    pub momentum: Vec<[f64; 2]>,
+    /// ∫ρ X·Φ_i.
+    pub radial: Vec<f64>,
+    /// ∫ρ X × Φ_i.
+    pub angular_momentum: Vec<f64>,
+    /// ∫ρ Φ_i × Φ_j.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gyroscopic: Option<Vec<Vec<f64>>>,
+    /// How points of the body move.
+    #[serde(default)]
+    pub points: IndexMap<String, ModalPoint>,
+}
+
+/// Displacements of a point by the amplitudes.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+pub struct ModalPoint {
+    /// Φ_i there [–].
+    pub displacement: Vec<[f64; 2]>,
+    /// How it turns by each amplitude [rad/m].
+    pub rotation: Vec<f64>,
+}
+
+/// The numbers of a bar.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticBar {
+    /// EI [N·m²].
+    pub bending: f64,
+    /// EA \[N\], where it is known.
+    pub axial: Option<f64>,
+    /// ρA [kg/m].
+    pub mass: f64,
+    /// ρI \[kg·m\].
+    pub rotary: f64,
+}
+
+impl ElasticLink {
+    /// The bar that is described, where it is whole.
+    pub fn bar(&self) -> Option<ElasticBar> {
+        if let Some(bending) = self.bending_stiffness {
+            let (axial, mass) = (self.axial_stiffness, self.mass_per_length?);
+            let rotary = axial.map_or(0.0, |axial| mass * bending / axial);
+            return Some(ElasticBar {
+                bending,
+                axial,
+                mass,
+                rotary,
+            });
+        }
+        let typical = self.material.map(LinkMaterial::typical);
+        let young = typical.map(|[young, _]| young).or(self.young_modulus)?;
+        let density = typical.map(|[_, density]| density).or(self.density)?;
+        let shape = self.section?;
+        Some(ElasticBar {
+            bending: young * shape.second_moment(),
+            axial: Some(young * shape.area()),
+            mass: density * shape.area(),
+            rotary: density * shape.second_moment(),
+        })
+    }
+
+    /// Its ends in the frame of the body \[m\], where they are points of it.
+    pub fn ends(&self, body: &Body) -> Option<[[f64; 2]; 2]> {
+        let end = |name: &String| body.points.get(name).copied();
+        Some([end(&self.from)?, end(&self.to)?])
+    }
+}
+
+impl Body {
+    /// Mass, inertia about the centre of mass and centre of mass of the bar that an elastic body is [kg, kg·m², m].
+    pub fn of_bar(&self) -> Option<(f64, f64, [f64; 2])> {
+        let elastic = self.elastic.as_deref()?;
+        let (bar, [from, to]) = (elastic.bar()?, elastic.ends(self)?);
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let mass = bar.mass * length;
+        let inertia = mass * length * length / 12.0 + bar.rotary * length;
+        let middle = [0, 1].map(|k: usize| (from[k] + to[k]) / 2.0);
+        Some((mass, inertia, middle))
+    }
+
+    /// What a file leaves out of an elastic bar.
+    pub(crate) fn fill_from_elastic(&mut self) {
+        if let Some((mass, inertia, com)) = self.of_bar() {
+            self.mass.get_or_insert(mass);
+            self.inertia.get_or_insert(inertia);
+            self.com.get_or_insert(com);
+        }
+    }
+}
+
+impl Model {
+    /// Whether a force of the model names a point.
+    pub fn forces_name(&self, body: &str, point: &str) -> bool {
+        fn names(tree: &Tree, text: &str) -> bool {
+            match tree {
+                Tree::Text(own) => own == text,
+                Tree::List(items) => items.iter().any(|item| names(item, text)),
+                Tree::Map(members) => members.values().any(|item| names(item, text)),
+                Tree::Null | Tree::Number(_) | Tree::Count(_) | Tree::Flag(_) => false,
+            }
+        }
+        names(&Tree::of(&self.forces), &format!("{body}.{point}"))
+    }
+}
