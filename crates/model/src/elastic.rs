@@ -51,6 +51,9 @@ pub struct ElasticLink {
     /// Whether it also stretches.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub axial: Option<bool>,
+    /// Whether its ends come closer where it bends; left out: they do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub foreshortening: Option<bool>,
     /// Damping ratio of each mode [–].
     #[serde(default)]
     pub damping: f64,

@@ -59,6 +59,7 @@ fn belongs(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink) -> bool {
         ("modes", elastic.modes.is_some()),
         ("frame", elastic.frame.is_some()),
         ("axial", elastic.axial.is_some()),
+        ("foreshortening", elastic.foreshortening.is_some()),
     ];
     let of_start = [
         ("amplitudes", elastic.amplitudes.is_some()),

@@ -127,10 +127,16 @@ fn made(model: &Model, name: &str, body: &Body, elastic: &ElasticLink) -> Result
                 )
                 .hint("correct its stiffness and its length")
             })?;
-            let moved =
-                |(point, place): (&String, &[f64; 2])| (point.clone(), shapes.moved(along(place)));
+            let shortens = elastic.foreshortening != Some(false);
+            let moved = |(point, place): (&String, &[f64; 2])| {
+                let mut moved = shapes.moved(along(place));
+                moved.shortens.retain(|_| shortens);
+                (point.clone(), moved)
+            };
             let named = body.points.iter().map(moved).collect();
-            (shapes.modal(), named)
+            let mut modal = shapes.modal();
+            modal.second = modal.second.filter(|_| shortens);
+            (modal, named)
         }
         // The gate has complained.
         (None, None) => {
