@@ -4,6 +4,7 @@ mod acting;
 mod applied;
 pub mod assembly;
 mod belts;
+mod bent;
 mod branch;
 mod cams;
 pub mod channels;
@@ -47,6 +48,7 @@ mod transmission;
 mod unbounded;
 pub mod words;
 
+pub use bent::{BentAxis, bent_axes};
 pub use check::{Check, Lack, check};
 pub use control::{Control, Stop};
 pub use dynamics::{Snapshot, Stepped};

@@ -31,6 +31,10 @@ pub fn points(link: &Modal) -> Option<(f64, Vec<Moved>)> {
     }
     let scaled = Matrix::from_fn(count, count, |i, j| h[(i, j)] / (scale[i] * scale[j]));
     let root = scaled.cholesky()?.l().adjoint();
+    // Of a matrix that is not positive a root is imaginary, or nearly none.
+    if root.diagonal().iter().any(|d| d.re <= 1e-9 || d.im != 0.0) {
+        return None;
+    }
     let mass = h[(0, 0)].re / count as f64;
     let mut w = turned(&root);
     for (k, scale) in scale.iter().enumerate() {

@@ -74,3 +74,23 @@ impl Force for ModalStiffness {
             .sum::<f64>()
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::element::BodyId;
+
+    /// Two amplitudes with damping, for the shared checks.
+    pub(in crate::element) fn modes() -> ModalStiffness {
+        ModalStiffness {
+            amplitudes: [Axis::X, Axis::Y]
+                .map(|axis| Amplitude {
+                    body: BodyId(2),
+                    axis,
+                })
+                .to_vec(),
+            stiffness: vec![3.0, 0.5, 0.5, 4.0],
+            damping: vec![0.2, 0.1, 0.1, 0.3],
+        }
+    }
+}

@@ -201,6 +201,7 @@ fn slopes_are_the_derivatives_of_forces() {
         ("damped beam on ground", Box::new(beam(0, 0.3))),
         ("bushing", Box::new(bushing(1))),
         ("bushing on ground", Box::new(bushing(0))),
+        ("modes of a link", Box::new(super::modal::tests::modes())),
         ("spring", Box::new(spring(first))),
         ("spring to ground", Box::new(spring(marker(0, 1.0, 0.3)))),
         (

@@ -35,7 +35,7 @@ impl Amplitude {
 }
 
 /// How a section moves by one amplitude.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Share {
     /// The amplitude.
     pub amplitude: Amplitude,
@@ -43,8 +43,6 @@ pub struct Share {
     pub moves: Vec2,
     /// ϑ [rad/m].
     pub turns: f64,
-    /// Γ by each amplitude of the section [1/m].
-    pub shortens: Vec<Vec2>,
 }
 
 /// A section of an elastic link.
@@ -56,32 +54,48 @@ pub struct Station {
     pub section: BodyId,
     /// X \[m\], from the frame's origin.
     pub place: Vec2,
-    /// By each amplitude.
+    /// By each amplitude (n).
     pub shares: Vec<Share>,
+    /// Γ (n × n by rows) [1/m]; empty where nothing shortens.
+    pub shortens: Vec<Vec2>,
 }
 
 impl Station {
-    /// Φ_i + Σ Γ_ij q_j.
-    fn slope(&self, at: &Kinematics, share: &Share) -> Vec2 {
-        let bent = self.shares.iter().zip(&share.shortens);
-        bent.fold(share.moves, |sum, (other, second)| {
-            sum + second * other.amplitude.value(at)
+    /// Γ of one amplitude by each.
+    fn row(&self, share: usize) -> &[Vec2] {
+        let n = self.shares.len();
+        match self.shortens.is_empty() {
+            true => &[],
+            false => &self.shortens[share * n..(share + 1) * n],
+        }
+    }
+
+    /// Each amplitude with Φ_i + Σ Γ_ij q_j.
+    fn slopes<'s>(&'s self, at: &'s Kinematics) -> impl Iterator<Item = (Vec2, &'s Share)> + 's {
+        self.shares.iter().enumerate().map(|(k, share)| {
+            let bent = self.row(k).iter().zip(&self.shares);
+            let slope = bent.fold(share.moves, |sum, (second, other)| {
+                sum + second * other.amplitude.value(at)
+            });
+            (slope, share)
         })
     }
 
     /// u \[m\].
     fn deflected(&self, at: &Kinematics) -> Vec2 {
-        self.shares.iter().fold(self.place, |sum, share| {
-            let mean = (share.moves + self.slope(at, share)) / 2.0;
-            sum + mean * share.amplitude.value(at)
+        self.slopes(at).fold(self.place, |sum, (slope, share)| {
+            sum + (share.moves + slope) * (0.5 * share.amplitude.value(at))
         })
     }
 
-    /// u̇ [m/s].
-    fn rate_of(&self, at: &Kinematics) -> Vec2 {
-        let rates = self.shares.iter();
-        rates.fold(Vec2::zeros(), |sum, share| {
-            sum + self.slope(at, share) * share.amplitude.rate(at)
+    /// u \[m\] and u̇ [m/s].
+    fn deflected_with_rate(&self, at: &Kinematics) -> [Vec2; 2] {
+        let none = [self.place, Vec2::zeros()];
+        self.slopes(at).fold(none, |[place, rate], (slope, share)| {
+            [
+                place + (share.moves + slope) * (0.5 * share.amplitude.value(at)),
+                rate + slope * share.amplitude.rate(at),
+            ]
         })
     }
 
@@ -103,9 +117,10 @@ impl Station {
             .shares
             .iter()
             .map(|share| share.turns * share.amplitude.rate(at));
-        let carried = perp(frame.turn(self.deflected(at))) * twist.omega;
+        let [place, rate] = self.deflected_with_rate(at);
+        let carried = perp(frame.turn(place)) * twist.omega;
         (
-            twist.v + carried + frame.turn(self.rate_of(at)),
+            twist.v + carried + frame.turn(rate),
             twist.omega + turn.sum::<f64>(),
         )
     }
@@ -121,13 +136,15 @@ impl Equations for Station {
 
     fn jacobian(&self, at: &Kinematics, values: &mut [f64]) {
         let frame = &at.poses[self.frame.0];
-        let arm = perp(frame.turn(self.deflected(at)));
         let (places, turns) = values.split_at_mut(6 + 2 * self.shares.len());
-        places[..6].copy_from_slice(&[1.0, arm.x, -1.0, 1.0, arm.y, -1.0]);
-        for (values, share) in places[6..].chunks_exact_mut(2).zip(&self.shares) {
-            let along = frame.turn(self.slope(at, share));
+        let mut place = self.place;
+        for (values, (slope, share)) in places[6..].chunks_exact_mut(2).zip(self.slopes(at)) {
+            place += (share.moves + slope) * (0.5 * share.amplitude.value(at));
+            let along = frame.turn(slope);
             values.copy_from_slice(&[along.x, along.y]);
         }
+        let arm = perp(frame.turn(place));
+        places[..6].copy_from_slice(&[1.0, arm.x, -1.0, 1.0, arm.y, -1.0]);
         turns[..2].copy_from_slice(&[1.0, -1.0]);
         for (value, share) in turns[2..].iter_mut().zip(&self.shares) {
             *value = share.turns;
@@ -140,16 +157,16 @@ impl Equations for Station {
 
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let (frame, omega) = (&at.poses[self.frame.0], at.twists[self.frame.0].omega);
-        let bent = self.shares.iter().flat_map(|share| {
-            let others = self.shares.iter().zip(&share.shortens);
-            others.map(|(other, second)| {
-                second * (share.amplitude.rate(at) * other.amplitude.rate(at))
-            })
-        });
-        let bent = bent.fold(Vec2::zeros(), |sum, one| sum + one);
-        let inside = frame.turn(self.deflected(at) * (omega * omega) - bent);
-        let coriolis = perp(frame.turn(self.rate_of(at))) * (2.0 * omega);
-        let g = inside - coriolis;
+        let mut bent = Vec2::zeros();
+        for (k, share) in self.shares.iter().enumerate() {
+            let others = self.row(k).iter().zip(&self.shares);
+            let own = others.fold(Vec2::zeros(), |sum, (second, other)| {
+                sum + second * other.amplitude.rate(at)
+            });
+            bent += own * share.amplitude.rate(at);
+        }
+        let [place, rate] = self.deflected_with_rate(at);
+        let g = frame.turn(place * (omega * omega) - bent) - perp(frame.turn(rate)) * (2.0 * omega);
         gamma.copy_from_slice(&[g.x, g.y, 0.0]);
     }
 }
@@ -182,7 +199,7 @@ impl Constraint for Station {
         let mut pattern = vec![[turn, turn]];
         for (i, share) in self.shares.iter().enumerate() {
             pattern.push([turn, of(share)]);
-            let others = self.shares[..=i].iter().take(share.shortens.len());
+            let others = self.shares[..=i].iter().take(self.row(i).len());
             pattern.extend(others.map(|other| [of(share), of(other)]));
         }
         pattern
@@ -198,9 +215,9 @@ impl Constraint for Station {
             }
         };
         put(-force.dot(&frame.turn(self.deflected(at))));
-        for (i, share) in self.shares.iter().enumerate() {
-            put(force.dot(&perp(frame.turn(self.slope(at, share)))));
-            for second in share.shortens.iter().take(i + 1) {
+        for (i, (slope, _)) in self.slopes(at).enumerate() {
+            put(force.dot(&perp(frame.turn(slope))));
+            for second in self.row(i).iter().take(i + 1) {
                 put(force.dot(&frame.turn(*second)));
             }
         }
@@ -275,21 +292,20 @@ pub(super) mod tests {
 
     /// Sections with and without foreshortening, for the shared checks.
     pub(in crate::element) fn all() -> Vec<Named> {
-        let share = |axis: Axis, moves: [f64; 2], turns: f64, shortens: Vec<Vec2>| Share {
+        let share = |axis: Axis, moves: [f64; 2], turns: f64| Share {
             amplitude: Amplitude {
                 body: BodyId(3),
                 axis,
             },
             moves: moves.into(),
             turns,
-            shortens,
         };
-        let of = |second: &[[f64; 2]]| second.iter().map(|&both| Vec2::from(both)).collect();
-        let station = |shares: Vec<Share>| Station {
+        let station = |shares: Vec<Share>, second: &[[f64; 2]]| Station {
             frame: BodyId(1),
             section: BodyId(2),
             place: Vec2::new(0.7, -0.1),
             shares,
+            shortens: second.iter().map(|&both| Vec2::from(both)).collect(),
         };
         vec![
             (
@@ -301,14 +317,17 @@ pub(super) mod tests {
             ),
             (
                 "section",
-                Box::new(station(vec![share(Axis::Y, [0.2, 0.9], -1.5, Vec::new())])),
+                Box::new(station(vec![share(Axis::Y, [0.2, 0.9], -1.5)], &[])),
             ),
             (
                 "section of a bar that shortens",
-                Box::new(station(vec![
-                    share(Axis::X, [0.1, 1.0], 2.0, of(&[[-0.8, 0.1], [0.3, 0.2]])),
-                    share(Axis::Y, [-0.2, 0.4], 0.5, of(&[[0.3, 0.2], [-0.5, 0.0]])),
-                ])),
+                Box::new(station(
+                    vec![
+                        share(Axis::X, [0.1, 1.0], 2.0),
+                        share(Axis::Y, [-0.2, 0.4], 0.5),
+                    ],
+                    &[[-0.8, 0.1], [0.3, 0.2], [0.3, 0.2], [-0.5, 0.0]],
+                )),
             ),
         ]
     }

@@ -53,7 +53,7 @@ use crate::element::cam::Cam;
 use crate::element::enclosure::Enclosure;
 use crate::element::formula::Formula;
 use crate::element::pair::{ContactId, Pair};
-use crate::element::station::Station;
+use crate::element::station::{Amplitude, Station};
 use crate::element::{Axis, ConstraintDependentForce, Force, Layout, Marker, Measure};
 use crate::motion::{Jet, Law};
 use linkdyn_linear::math::Vec2;
@@ -107,6 +107,19 @@ pub struct BodyData {
     pub link: String,
     /// How it follows from an elastic link, of a section of one.
     pub(crate) carried: Option<Arc<Station>>,
+}
+
+/// The axis of an elastic link by few amplitudes, at equally spaced places from one end to the other.
+#[derive(Debug, Clone)]
+pub struct ElasticAxis {
+    /// The body whose frame carries it, by its number.
+    pub body: usize,
+    /// Its amplitudes: bodies by their number, and which of both.
+    pub amplitudes: Vec<Amplitude>,
+    /// How the places move, in the frame of the body from its origin of deflections.
+    pub stations: Vec<Station>,
+    /// w″ of the places by the amplitudes [1/m²]; empty of modal data.
+    pub curvatures: Vec<Vec<f64>>,
 }
 
 /// What a body of the equations is to the user.
@@ -181,6 +194,8 @@ pub struct System {
     pub bodies: Vec<BodyData>,
     /// Cross-sections of those that have one, by number.
     pub sections: BTreeMap<usize, SectionData>,
+    /// Axes of elastic links by few amplitudes.
+    pub axes: Vec<ElasticAxis>,
     /// Joints, in the order of the file.
     pub joints: Vec<JointData>,
     /// Drivers, in the order of the file.

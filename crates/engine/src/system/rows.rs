@@ -198,6 +198,7 @@ impl System {
                 .iter()
                 .filter_map(|body| Some(self.bodies[body.index()?].clone()))
                 .collect(),
+            axes: Vec::new(),
             sections: BTreeMap::new(),
             joints: Vec::with_capacity(joints.len()),
             drivers: Vec::new(),

@@ -9,7 +9,7 @@ use crate::element::journal::Free;
 use crate::element::modal::ModalStiffness;
 use crate::element::station::{Amplitude, Share, Station, Still};
 use crate::element::{Axis, BodyId, Constraint, Marker, Pose};
-use crate::system::{Block, BodyData, BodyPart, Extent, JointData, JointId, Origin};
+use crate::system::{Block, BodyData, BodyPart, ElasticAxis, Extent, JointData, JointId, Origin};
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{
@@ -36,7 +36,12 @@ pub(super) struct Link {
     points: (f64, Vec<Moved>),
     /// How its named points move.
     named: Vec<(String, Moved)>,
+    /// How places of its axis move, with w″ by each amplitude; none of modal data.
+    axis: Vec<(Moved, Vec<f64>)>,
 }
+
+/// Parts into which the axis of a link is divided for drawings and internal forces.
+const PARTS: usize = 32;
 
 /// Elastic bodies by their names, and where points of them are once these have been placed.
 #[derive(Default)]
@@ -99,7 +104,7 @@ fn made(model: &Model, name: &str, body: &Body, elastic: &ElasticLink) -> Result
         return Ok(Made::Chain(nodes(places.collect(), length, elements)));
     }
     let path = format!("bodies.{name}.elastic");
-    let (mut modal, named) = match (&elastic.modal, elastic.bar()) {
+    let (mut modal, named, axis) = match (&elastic.modal, elastic.bar()) {
         (Some(data), _) => {
             let moved = |(point, place): (&String, &[f64; 2])| {
                 let off = Vec2::from(*place) - from;
@@ -107,7 +112,7 @@ fn made(model: &Model, name: &str, body: &Body, elastic: &ElasticLink) -> Result
                 (point.clone(), given_point(data, point, place))
             };
             let named = body.points.iter().map(moved).collect();
-            (given(data, body, from, direction), named)
+            (given(data, body, from, direction), named, Vec::new())
         }
         (None, Some(bar)) => {
             let bar = Bar {
@@ -136,7 +141,16 @@ fn made(model: &Model, name: &str, body: &Body, elastic: &ElasticLink) -> Result
             let named = body.points.iter().map(moved).collect();
             let mut modal = shapes.modal();
             modal.second = modal.second.filter(|_| shortens);
-            (modal, named)
+            let places = (0..=PARTS).map(|k| {
+                let x = length * k as f64 / PARTS as f64;
+                let mut curvature: Vec<f64> = shapes.bent_at(x).iter().map(|jet| jet[2]).collect();
+                let mut moved = shapes.moved(x);
+                curvature.resize(moved.moves.len(), 0.0);
+                moved.shortens.retain(|_| shortens);
+                (moved, curvature)
+            });
+            let axis = places.collect();
+            (modal, named, axis)
         }
         // The gate has complained.
         (None, None) => {
@@ -173,6 +187,7 @@ fn made(model: &Model, name: &str, body: &Body, elastic: &ElasticLink) -> Result
         modal,
         points,
         named,
+        axis,
     })))
 }
 
@@ -244,6 +259,21 @@ fn places(
             hinge: None,
         })
         .collect()
+}
+
+/// Whether nothing at a point asks how its section turns: ideal pins without friction alone are there.
+fn only_pins(model: &Model, name: &str, point: &str) -> bool {
+    let is_here = |end: &PointRef| end.body == name && end.point == point;
+    let is_plain = |joint: &Joint| match &joint.kind {
+        JointKind::Revolute {
+            clearance,
+            friction,
+            ..
+        } => clearance.is_none() && friction.is_none() && joint.stops == Default::default(),
+        _ => false,
+    };
+    let mut joints = model.joints.values();
+    joints.all(|joint| !joint.between.iter().any(is_here) || is_plain(joint))
 }
 
 fn matrix(rows: &[Vec<f64>]) -> DMatrix<f64> {
@@ -412,12 +442,13 @@ impl<'a> Compiler<'a> {
                     amplitude,
                     moves: turned(direction, moved.moves[k]),
                     turns: moved.turns[k],
-                    shortens: moved.shortens.get(k).map_or_else(Vec::new, |row| {
-                        row.iter()
-                            .map(|&second| turned(direction, second))
-                            .collect()
-                    }),
                 })
+                .collect(),
+            shortens: moved
+                .shortens
+                .iter()
+                .flatten()
+                .map(|&second| turned(direction, second))
                 .collect(),
         };
         let (mass, points) = &link.points;
@@ -428,8 +459,10 @@ impl<'a> Compiler<'a> {
             .map(|(point, moved)| (Some(point), moved, 0.0));
         for (point, moved, mass) in masses.chain(named) {
             let place = turned(direction, moved.place);
-            let is_still = moved.moves.iter().all(|by| *by == Vec2::zeros())
-                && moved.turns.iter().all(|by| *by == 0.0);
+            let is_held = moved.moves.iter().all(|by| *by == Vec2::zeros());
+            let is_still = is_held
+                && (moved.turns.iter().all(|by| *by == 0.0)
+                    || point.is_some_and(|point| only_pins(self.model, name, point)));
             let marker = if point.is_some() && is_still {
                 Marker {
                     body: frame,
@@ -458,6 +491,16 @@ impl<'a> Compiler<'a> {
                 self.elastic.places.insert((name, point.clone()), marker);
             }
         }
+        self.system.axes.push(ElasticAxis {
+            body: frame.0 - 1,
+            stations: link
+                .axis
+                .iter()
+                .map(|(moved, _)| carried(frame, moved))
+                .collect(),
+            curvatures: link.axis.iter().map(|(_, by)| by.clone()).collect(),
+            amplitudes: amplitudes.clone(),
+        });
         let rows = |matrix: &DMatrix<f64>| matrix.transpose().iter().copied().collect();
         let [_, stiffness, damping] = &link.modal.matrices;
         self.elastic_forces.push(Arc::new(ModalStiffness {

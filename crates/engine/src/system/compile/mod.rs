@@ -163,6 +163,7 @@ impl<'a> Compiler<'a> {
             layout: Layout::rigid(com.len() - 1),
             bodies: Vec::new(),
             sections: BTreeMap::new(),
+            axes: Vec::new(),
             joints: Vec::new(),
             drivers: Vec::new(),
             points: Vec::new(),
