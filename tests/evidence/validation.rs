@@ -6,7 +6,7 @@ use linkdyn_validation::{CASES, CaseKind, CaseReport, Verdict};
 use std::path::Path;
 
 /// The cases that are programs, each run by a test of its own here or in `lock`.
-const CODED: [&str; 10] = [
+const CODED: [&str; 12] = [
     "lock",
     "lock-contact",
     "four-bar-spring",
@@ -17,6 +17,8 @@ const CODED: [&str; 10] = [
     "flores-slider-crank",
     "journal-billiard",
     "beams",
+    "elastic-links",
+    "elastic-clearance",
 ];
 
 /// Runs a case of [`CODED`].
@@ -214,4 +216,17 @@ fn chains_of_beams_are_the_beams_of_the_literature() {
         .filter(|claim| claim.verdict != Verdict::Agrees)
         .collect();
     assert!(off.is_empty(), "{off:#?}");
+}
+
+#[test]
+fn elastic_links_are_those_of_the_literature() {
+    for (name, claims) in [("elastic-links", 66), ("elastic-clearance", 6)] {
+        let report = run(name, None);
+        assert_eq!(report.claims.len(), claims, "{name}");
+        let off = report.claims.iter();
+        let off: Vec<_> = off
+            .filter(|claim| claim.verdict != Verdict::Agrees)
+            .collect();
+        assert!(off.is_empty(), "{name}: {off:#?}");
+    }
 }

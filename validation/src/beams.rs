@@ -331,7 +331,7 @@ impl Cantilever {
     }
 }
 
-fn read(model: &Value) -> Result<Checked, CaseError> {
+pub(super) fn read(model: &Value) -> Result<Checked, CaseError> {
     let loaded = linkdyn_model::load(model.to_string().as_bytes(), &[]);
     Ok(loaded.map_err(|said| broken(format!("{said:?}")))?.model)
 }

@@ -2,8 +2,8 @@
 
 use super::reference::ReferenceCase;
 use super::{
-    Case, CaseKind, beams, flores_slider_crank, four_bar_spring, journal_billiard, lock,
-    path_synthesis, restitution, slider_crank_clearance, tolerance_ladder,
+    Case, CaseKind, beams, elastic_clearance, elastic_links, flores_slider_crank, four_bar_spring,
+    journal_billiard, lock, path_synthesis, restitution, slider_crank_clearance, tolerance_ladder,
 };
 
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
@@ -76,6 +76,20 @@ pub const CASES: &[Case] = &[
         kind: CaseKind::Coded {
             about: beams::ABOUT,
             run: beams::run,
+        },
+    },
+    Case {
+        name: "elastic-links",
+        kind: CaseKind::Coded {
+            about: elastic_links::ABOUT,
+            run: elastic_links::run,
+        },
+    },
+    Case {
+        name: "elastic-clearance",
+        kind: CaseKind::Coded {
+            about: elastic_clearance::ABOUT,
+            run: elastic_clearance::run,
         },
     },
     reference(

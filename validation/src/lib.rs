@@ -7,6 +7,8 @@
 mod beams;
 mod cases;
 mod claim;
+mod elastic_clearance;
+mod elastic_links;
 mod flores_slider_crank;
 mod four_bar_spring;
 mod journal_billiard;
