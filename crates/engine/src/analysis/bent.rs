@@ -1,7 +1,12 @@
 //! How elastic links look: places of their axes by the columns of results.
 
+use crate::element::station::Station;
 use crate::system::{System, compile::compile};
+use linkdyn_linear::math::Vec2;
+use linkdyn_model::display::number;
 use linkdyn_model::{AnalysisKind, Checked};
+use linkdyn_output::Trajectory;
+use std::f64::consts::TAU;
 
 /// The axis of an elastic link, by result columns: its places are at `place` + Σ `moves` · amplitude in the frame of the body, to first
 /// order.
@@ -58,4 +63,67 @@ fn axes(system: &System) -> Vec<BentAxis> {
         }
     };
     system.axes.iter().map(axis).collect()
+}
+
+/// Deflection by length beyond which few modes, to second order, are no description of a link.
+const FARTHEST: f64 = 0.1;
+
+/// Links that leave the range in which few modes describe them, in some row; and what their axial vibrations cost in a run of so many
+/// steps.
+pub(super) fn warnings(system: &System, rows: &Trajectory, steps: usize) -> Vec<String> {
+    let mut said = Vec::new();
+    for axis in &system.axes {
+        let name = &system.bodies[axis.body].name;
+        let column = |name: String| rows.columns.iter().position(|own| own.name == name);
+        let columns: Vec<Option<usize>> = (1..=axis.amplitudes.len())
+            .map(|k| column(format!("{name}.q{k}")))
+            .collect();
+        let reach = |station: &Station| station.place.norm();
+        let length = axis.stations.iter().map(reach).fold(0.0, f64::max);
+        let deflected = |row: &[f64]| {
+            let of = |station: &Station| {
+                let shares = station.shares.iter().zip(&columns);
+                let moved = shares.fold(Vec2::zeros(), |sum, (share, column)| {
+                    sum + share.moves * column.map_or(0.0, |column| row[column])
+                });
+                moved.norm()
+            };
+            axis.stations.iter().map(of).fold(0.0, f64::max) / length
+        };
+        let display = &system.display;
+        let known = rows.rows().map(|row| (deflected(row), row[0]));
+        let known = known.filter(|(share, _)| share.is_finite());
+        let worst = known.max_by(|one, other| one.0.total_cmp(&other.0));
+        if let Some((share, time)) = worst.filter(|(share, _)| *share > FARTHEST) {
+            said.push(format!(
+                "elastic link \"{name}\" is deflected by {} of its length at t = {}, where few modes describe it no more (0.1): give \"elements\" instead of \"modes\"",
+                number(share, 3),
+                display.time(time)
+            ));
+        }
+        let [slowest, fastest] = axis.frequencies;
+        let [is_axial, shortens] = axis.is;
+        let turns = column(format!("{name}.omega")).map(|column| {
+            let rates = rows.rows().map(|row| row[column].abs());
+            rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max)
+        });
+        if let Some(rate) = turns.filter(|rate| !shortens && *rate > slowest && slowest > 0.0) {
+            said.push(format!(
+                "elastic link \"{name}\" turns at {} rad/s, faster than its first vibration at {} rad/s, without the foreshortening that stiffens it: leave out \"foreshortening\": false",
+                number(rate, 4),
+                number(slowest, 4)
+            ));
+        }
+        let times = rows.rows().map(|row| row[0]);
+        let duration = times.fold(0.0, f64::max);
+        // A vibration takes some ten steps a period, where it is followed.
+        let periods = fastest * duration / TAU;
+        if is_axial && steps > 2000 && (2.0..200.0).contains(&(steps as f64 / periods)) {
+            said.push(format!(
+                "vibrations along elastic link \"{name}\", {} in the run, take most of its {steps} steps: leave out \"axial\" unless they matter",
+                number(periods, 3)
+            ));
+        }
+    }
+    said
 }

@@ -1,5 +1,6 @@
 //! The rows of a run.
 
+use super::bent;
 use super::cams::Watch;
 use super::channels::{Channels, Contents, larger};
 use super::sample::Sample;
@@ -72,6 +73,9 @@ impl Recorder {
         report.warnings.extend(self.warnings(system));
         let sections = section::warnings(system, &self.trajectory);
         report.warnings.extend(sections);
+        let steps = report.statistics.steps;
+        let bent = bent::warnings(system, &self.trajectory, steps as usize);
+        report.warnings.extend(bent);
         let [rest, size] = self.unbalanced;
         report.quality.section_imbalance = (size > 0.0).then(|| rest / size);
     }

@@ -55,6 +55,17 @@ impl Modal {
         self.momentum.len()
     }
 
+    /// Slowest and fastest frequency [rad/s].
+    pub fn frequencies(&self) -> [f64; 2] {
+        let [mass, stiffness, _] = &self.matrices;
+        let all = generalised(stiffness, mass);
+        let of = |k: Option<&f64>| k.map_or(0.0, |square| square.max(0.0).sqrt());
+        all.map_or([0.0; 2], |(squares, _)| {
+            let all = squares.as_slice();
+            [of(all.first()), of(all.last())]
+        })
+    }
+
     /// Adds damping by a ratio ζ of each mode: D = M V diag(2 ζ ω) Vᵀ M with Vᵀ M V = 1, Vᵀ K V = diag(ω²).
     pub fn damp(&mut self, ratio: f64) {
         let [mass, stiffness, damping] = &mut self.matrices;

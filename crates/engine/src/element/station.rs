@@ -10,7 +10,7 @@
 //! of a cantilever beam attached to a moving base, 1987): without it a link that turns fast softens instead of stiffening.
 //! The amplitudes stand in the coordinates x and y of bodies of their own, two in each. λ is force and torque of the frame on the section.
 
-use super::{Axis, BodyId, Constraint, Entry, Equations, Kinematics, Measure, Slope};
+use super::{Axis, BodyId, Constraint, Entry, Equations, Kinematics, Layout, Measure, Slope};
 use linkdyn_linear::math::{Vec2, perp};
 
 /// Where an amplitude stands.
@@ -126,6 +126,38 @@ impl Station {
     }
 }
 
+impl Station {
+    /// Σ Γ_ij q̇_i q̇_j [m/s²].
+    fn shortening(&self, at: &Kinematics) -> Vec2 {
+        let mut bent = Vec2::zeros();
+        for (k, share) in self.shares.iter().enumerate() {
+            let others = self.row(k).iter().zip(&self.shares);
+            let own = others.fold(Vec2::zeros(), |sum, (second, other)| {
+                sum + second * other.amplitude.rate(at)
+            });
+            bent += own * share.amplitude.rate(at);
+        }
+        bent
+    }
+
+    /// Its acceleration [m/s²] beside that of the place of the frame where it is when nothing is deflected, by accelerations (n).
+    pub fn vibrates(&self, at: &Kinematics, a: &[f64], layout: &Layout) -> Vec2 {
+        let (frame, omega) = (&at.poses[self.frame.0], at.twists[self.frame.0].omega);
+        let of =
+            |body: BodyId, axis: Axis| layout.column(body, axis).map_or(0.0, |column| a[column]);
+        let [place, rate] = self.deflected_with_rate(at);
+        let own = self
+            .slopes(at)
+            .fold(self.shortening(at), |sum, (slope, share)| {
+                sum + slope * of(share.amplitude.body, share.amplitude.axis)
+            });
+        let off = frame.turn(place - self.place);
+        perp(off) * of(self.frame, Axis::Theta) - off * (omega * omega)
+            + perp(frame.turn(rate)) * (2.0 * omega)
+            + frame.turn(own)
+    }
+}
+
 impl Equations for Station {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let (place, angle) = self.pose(at);
@@ -157,14 +189,7 @@ impl Equations for Station {
 
     fn gamma(&self, at: &Kinematics, gamma: &mut [f64]) {
         let (frame, omega) = (&at.poses[self.frame.0], at.twists[self.frame.0].omega);
-        let mut bent = Vec2::zeros();
-        for (k, share) in self.shares.iter().enumerate() {
-            let others = self.row(k).iter().zip(&self.shares);
-            let own = others.fold(Vec2::zeros(), |sum, (second, other)| {
-                sum + second * other.amplitude.rate(at)
-            });
-            bent += own * share.amplitude.rate(at);
-        }
+        let bent = self.shortening(at);
         let [place, rate] = self.deflected_with_rate(at);
         let g = frame.turn(place * (omega * omega) - bent) - perp(frame.turn(rate)) * (2.0 * omega);
         gamma.copy_from_slice(&[g.x, g.y, 0.0]);

@@ -120,6 +120,12 @@ pub struct ElasticAxis {
     pub stations: Vec<Station>,
     /// w″ of the places by the amplitudes [1/m²]; empty of modal data.
     pub curvatures: Vec<Vec<f64>>,
+    /// Mass \[kg\], and ρI L [kg·m²].
+    pub(crate) heavy: [f64; 2],
+    /// Slowest and fastest frequency of its modes [rad/s].
+    pub(crate) frequencies: [f64; 2],
+    /// Whether it stretches, and whether bending shortens it.
+    pub(crate) is: [bool; 2],
 }
 
 /// What a body of the equations is to the user.

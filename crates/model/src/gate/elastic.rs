@@ -2,10 +2,13 @@
 
 use super::{Rules, sections};
 use crate::elastic::{ElasticLink, ModalData};
-use crate::{Body, suggest};
+use crate::error::Complaint;
+use crate::{Body, display, suggest};
 
 /// Masses and places that differ by less are the same, relative to the bar's.
 const SAME: f64 = 1e-6;
+/// Height by length beyond which a bar is no slender one.
+const THICK: f64 = 0.1;
 
 /// All rules of elastic links but those on one number.
 pub(super) fn links(rules: &mut Rules<'_>) {
@@ -32,6 +35,7 @@ pub(super) fn links(rules: &mut Rules<'_>) {
             made_of(rules, &path, elastic);
             if let Some(axis) = axis {
                 points(rules, name, body, axis);
+                slender(rules, &path, elastic, axis);
             }
         }
         let known = ["mass", "inertia", "com", "points"]
@@ -39,6 +43,7 @@ pub(super) fn links(rules: &mut Rules<'_>) {
             .all(|key| !rules.holes.within(&format!("bodies.{name}.{key}")));
         if rules.complaints.len() == before && known {
             weight(rules, name, body);
+            cut(rules, name, body, elastic);
         }
     }
 }
@@ -137,6 +142,27 @@ fn made_of(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink) {
     }
 }
 
+/// A thick bar shears, which it does not here.
+fn slender(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink, [from, to]: [[f64; 2]; 2]) {
+    let Some(shape) = elastic.section else { return };
+    let (area, moment) = (shape.area(), shape.second_moment());
+    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    // Of a rectangle its height.
+    let height = (12.0 * moment / area).sqrt();
+    if height > THICK * length {
+        rules.warnings.push(
+            Complaint::new(
+                path,
+                format!(
+                    "the link is {} times as long as it is high, and shears, which is left out",
+                    display::number(length / height, 3)
+                ),
+            )
+            .hint("a link ten times as long as it is high is about right to 3 %"),
+        );
+    }
+}
+
 /// Points of an elastic bar are on its axis.
 fn points(rules: &mut Rules<'_>, name: &str, body: &Body, [from, to]: [[f64; 2]; 2]) {
     let along = [to[0] - from[0], to[1] - from[1]];
@@ -202,6 +228,30 @@ fn weight(rules: &mut Rules<'_>, name: &str, body: &Body) {
     }
     for (key, message) in said {
         rules.complain(format!("bodies.{name}.{key}"), message, hint);
+    }
+}
+
+/// Internal forces are those of the bar that bends.
+fn cut(rules: &mut Rules<'_>, name: &str, body: &Body, elastic: &ElasticLink) {
+    let Some(section) = &body.section else { return };
+    let path = format!("bodies.{name}.section");
+    if elastic.elements.is_some() || elastic.modal.is_some() {
+        let what = if elastic.modal.is_some() {
+            "modal data"
+        } else {
+            "a chain of elements"
+        };
+        rules.complain(
+            path,
+            format!("the internal forces of {what} are not computed"),
+            "leave out \"section\", or describe the elastic link by a cross-section and \"modes\"",
+        );
+    } else if [&section.from, &section.to] != [&elastic.from, &elastic.to] {
+        rules.complain(
+            path,
+            "the axis of \"section\" is not that of \"elastic\"",
+            "give both the same \"from\" and \"to\"",
+        );
     }
 }
 

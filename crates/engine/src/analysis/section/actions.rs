@@ -13,7 +13,8 @@
 use crate::element::quantity::Measured;
 use crate::element::{Applied, BodyId, Kinematics, Marker, Twist};
 use crate::system::{
-    DriverRole, Evaluation, ForceRole, Inputs, JointData, JointRole, Origin, Owner, System,
+    BodyPart, DriverRole, Evaluation, ForceRole, Inputs, JointData, JointRole, Origin, Owner,
+    System,
 };
 use linkdyn_linear::math::Vec2;
 
@@ -37,7 +38,7 @@ impl Actions {
         let mut collected = Collected {
             system,
             at: evaluation.kinematics(inputs),
-            bodies: system.sections.keys().copied().collect(),
+            bodies: cut_bodies(system),
             pull: vec![0.0; system.n()],
             actions: Vec::new(),
         };
@@ -60,6 +61,16 @@ impl Actions {
     pub fn on(&self, body: usize) -> impl Iterator<Item = &Action> {
         self.0.iter().filter(move |action| action.body == body)
     }
+}
+
+/// Bodies with a cross-section, and the sections of those that are elastic.
+fn cut_bodies(system: &System) -> Vec<usize> {
+    let sections = system.bodies.iter().enumerate().filter(|(_, data)| {
+        let of = |body: &usize| system.bodies[*body].name == data.link;
+        data.part == BodyPart::Section && system.sections.keys().any(of)
+    });
+    let sections = sections.map(|(body, _)| body);
+    system.sections.keys().copied().chain(sections).collect()
 }
 
 /// A body of an element, and where it acts on it.
@@ -88,7 +99,9 @@ impl Collected<'_> {
                 let mut bodies = self.bodies.iter();
                 bodies.any(|body| system.layout.moving(*body).range().contains(&column))
             };
-            if !entries.iter().filter_map(column).any(is_own) {
+            let is_inner =
+                matches!(block.origin, Origin::Joint(id) if !system.joints[id.0].is_own());
+            if is_inner || !entries.iter().filter_map(column).any(is_own) {
                 continue;
             }
             values.resize(entries.len(), 0.0);

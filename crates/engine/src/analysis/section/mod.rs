@@ -16,7 +16,7 @@ mod beam;
 pub use actions::Actions;
 
 use crate::element::Kinematics;
-use crate::system::{SectionData, System};
+use crate::system::{BodyPart, ElasticAxis, SectionData, System};
 use actions::Action;
 use beam::{Concentrated, CutForces, Peaks, SAME_PLACE, StraightLink};
 use linkdyn_linear::math::{Vec2, perp};
@@ -51,7 +51,19 @@ impl<'s> SectionReading<'s> {
         let fall = system.gravity - Vec2::new(x, y);
         let first = fall - perp(rho) * alpha + rho * (omega * omega);
         let by_x = along * (omega * omega) - across * alpha;
+        let axis = system.axes.iter().find(|axis| axis.body == body);
         let mut loads = Vec::new();
+        for (x, action) in axis
+            .into_iter()
+            .flat_map(|axis| of_sections(system, axis, actions))
+        {
+            loads.push(Concentrated {
+                x,
+                along: action.force.dot(&along),
+                across: action.force.dot(&across),
+                moment: action.torque,
+            });
+        }
         let mut load = |action: &Action| {
             let arm = action.place - (pose.r + rho);
             let mut x = arm.dot(&along).clamp(0.0, data.length);
@@ -68,16 +80,25 @@ impl<'s> SectionReading<'s> {
             });
         };
         actions.on(body).for_each(&mut load);
-        load(&lump(
-            (system, data, body),
-            (
-                rho + along * (data.length / 2.0),
-                first + by_x * (data.length / 2.0),
-            ),
-            (pose.r, fall, alpha),
-        ));
+        if axis.is_none() {
+            load(&lump(
+                (system, data, body),
+                (
+                    rho + along * (data.length / 2.0),
+                    first + by_x * (data.length / 2.0),
+                ),
+                (pose.r, fall, alpha),
+            ));
+        }
         let spread = [along, across].map(|on| [first, by_x].map(|one| data.bar * one.dot(&on)));
-        let beam = StraightLink::new(data.length, loads, spread);
+        if let Some(axis) = axis {
+            vibrate((system, axis, a), at, (along, alpha), &mut loads);
+        }
+        let mut beam = StraightLink::new(data.length, loads.clone(), spread);
+        if let Some(axis) = axis {
+            bend(axis, at, (&beam, along), &mut loads);
+            beam = StraightLink::new(data.length, loads, spread);
+        }
         SectionReading {
             peaks: beam.peaks(data.area, data.modulus),
             beam,
@@ -124,6 +145,70 @@ impl<'s> SectionReading<'s> {
                 .buckling_load
                 .map_or(f64::NAN, |load| compression / load),
         }
+    }
+}
+
+/// What acts on the sections of an elastic link, by their places on its axis \[m\].
+fn of_sections<'a>(
+    system: &'a System,
+    axis: &'a ElasticAxis,
+    actions: &'a Actions,
+) -> impl Iterator<Item = (f64, &'a Action)> {
+    let name = &system.bodies[axis.body].name;
+    let bodies = system.bodies.iter().enumerate();
+    let sections =
+        bodies.filter(move |(_, data)| data.part == BodyPart::Section && data.link == *name);
+    sections.flat_map(move |(body, data)| {
+        let x = data.carried.as_ref().map_or(0.0, |own| own.place.norm());
+        actions.on(body).map(move |action| (x, action))
+    })
+}
+
+/// Inertia of an elastic link beside that of a rigid one, by parts of its axis.
+fn vibrate(
+    (system, axis, a): (&System, &ElasticAxis, &[f64]),
+    at: &Kinematics,
+    (along, alpha): (Vec2, f64),
+    loads: &mut Vec<Concentrated>,
+) {
+    let [mass, rotary] = axis.heavy;
+    let last = axis.stations.len() - 1;
+    for (k, station) in axis.stations.iter().enumerate().filter(|_| !system.is_slow) {
+        let part = if k == 0 || k == last { 0.5 } else { 1.0 };
+        let force = station.vibrates(at, a, &system.layout) * (-part * mass / last as f64);
+        loads.push(Concentrated {
+            x: station.place.norm(),
+            along: force.dot(&along),
+            across: force.dot(&perp(along)),
+            moment: -rotary * alpha * part / last as f64,
+        });
+    }
+}
+
+/// What axial forces exert on a link that is bent: −N Δw between places of its axis.
+fn bend(
+    axis: &ElasticAxis,
+    at: &Kinematics,
+    (beam, along): (&StraightLink, Vec2),
+    loads: &mut Vec<Concentrated>,
+) {
+    let across = perp(along);
+    let places: Vec<(f64, f64)> = axis
+        .stations
+        .iter()
+        .map(|station| {
+            let off = station.pose(at).0 - at.poses[station.frame.0].r;
+            (station.place.norm(), off.dot(&across))
+        })
+        .collect();
+    for pair in places.windows(2) {
+        let x = (pair[0].0 + pair[1].0) / 2.0;
+        loads.push(Concentrated {
+            x,
+            along: 0.0,
+            across: 0.0,
+            moment: -beam.at(x)[0] * (pair[1].1 - pair[0].1),
+        });
     }
 }
 

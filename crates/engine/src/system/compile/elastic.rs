@@ -500,6 +500,12 @@ impl<'a> Compiler<'a> {
                 .collect(),
             curvatures: link.axis.iter().map(|(_, by)| by.clone()).collect(),
             amplitudes: amplitudes.clone(),
+            frequencies: link.modal.frequencies(),
+            is: [own.axial == Some(true), link.modal.second.is_some()],
+            heavy: own.bar().map_or([0.0; 2], |bar| {
+                let (_, _, length) = axis(body, own);
+                [bar.mass * length, bar.rotary * length]
+            }),
         });
         let rows = |matrix: &DMatrix<f64>| matrix.transpose().iter().copied().collect();
         let [_, stiffness, damping] = &link.modal.matrices;

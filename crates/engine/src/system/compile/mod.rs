@@ -286,7 +286,10 @@ impl<'a> Compiler<'a> {
             self.system.masses_known &= body.mass.is_some() && body.inertia.is_some();
             if let Some(own) = &body.section {
                 let index = self.system.bodies.len();
-                let own = section(body, own, com);
+                let mut own = section(body, own, com);
+                if self.elastic.origin(name, body).is_some() {
+                    own.bar = body.mass.unwrap_or(0.0) / own.length;
+                }
                 self.system.sections.insert(index, own);
             }
             self.system.bodies.push(BodyData {
