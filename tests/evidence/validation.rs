@@ -6,7 +6,7 @@ use linkdyn_validation::{CASES, CaseKind, CaseReport, Verdict};
 use std::path::Path;
 
 /// The cases that are programs, each run by a test of its own here or in `lock`.
-const CODED: [&str; 12] = [
+const CODED: [&str; 13] = [
     "lock",
     "lock-contact",
     "four-bar-spring",
@@ -19,6 +19,7 @@ const CODED: [&str; 12] = [
     "beams",
     "elastic-links",
     "elastic-clearance",
+    "lock-elastic",
 ];
 
 /// Runs a case of [`CODED`].
@@ -220,7 +221,11 @@ fn chains_of_beams_are_the_beams_of_the_literature() {
 
 #[test]
 fn elastic_links_are_those_of_the_literature() {
-    for (name, claims) in [("elastic-links", 66), ("elastic-clearance", 6)] {
+    for (name, claims) in [
+        ("elastic-links", 66),
+        ("elastic-clearance", 6),
+        ("lock-elastic", 8),
+    ] {
         let report = run(name, None);
         assert_eq!(report.claims.len(), claims, "{name}");
         let off = report.claims.iter();

@@ -3,7 +3,8 @@
 use super::reference::ReferenceCase;
 use super::{
     Case, CaseKind, beams, elastic_clearance, elastic_links, flores_slider_crank, four_bar_spring,
-    journal_billiard, lock, path_synthesis, restitution, slider_crank_clearance, tolerance_ladder,
+    journal_billiard, lock, lock_elastic, path_synthesis, restitution, slider_crank_clearance,
+    tolerance_ladder,
 };
 
 /// All bundled cases, in the order in which they are run; a test holds this against the folder `validation/`.
@@ -90,6 +91,13 @@ pub const CASES: &[Case] = &[
         kind: CaseKind::Coded {
             about: elastic_clearance::ABOUT,
             run: elastic_clearance::run,
+        },
+    },
+    Case {
+        name: "lock-elastic",
+        kind: CaseKind::Coded {
+            about: lock_elastic::ABOUT,
+            run: lock_elastic::run,
         },
     },
     reference(

@@ -13,6 +13,7 @@ mod flores_slider_crank;
 mod four_bar_spring;
 mod journal_billiard;
 mod lock;
+mod lock_elastic;
 mod page;
 mod path_synthesis;
 pub mod reference;
