@@ -29,7 +29,7 @@ export const completions = (schema: Schema) => (context: CompletionContext): Com
     const options = keys.map(([key, own]): Completion => ({ label: `"${key}"`, detail: "", ...(own.description ? { info: own.description } : {}), type: "property", apply: text.slice(from, context.pos + quoted).endsWith(":") ? `"${key}"` : `"${key}": ` }));
     return options.length ? { from, to: context.pos + quoted, options: unique(options) } : null;
   }
-  const values = along(schema, place.path).flatMap((own) => own.enum ?? (own.const !== undefined ? [own.const] : []));
+  const values = along(schema, place.path).flatMap((own) => own.enum ?? (own.const !== undefined ? [own.const] : own.type === "boolean" ? [true, false] : []));
   const options = values.map((value): Completion => ({ label: JSON.stringify(value), type: "enum" }));
   return options.length ? { from, to: context.pos + quoted, options: unique(options) } : null;
 };

@@ -137,3 +137,37 @@ impl From<Body> for BodyWords {
         }
     }
 }
+
+impl ElasticLink {
+    /// Its ends in the frame of the body \[m\], where they are points of it.
+    pub fn ends(&self, body: &Body) -> Option<[[f64; 2]; 2]> {
+        let end = |name: &String| body.points.get(name).copied();
+        Some([end(&self.from)?, end(&self.to)?])
+    }
+}
+
+impl Body {
+    /// Mass, inertia about the centre of mass and centre of mass of the bar that an elastic body is [kg, kg·m², m].
+    pub fn of_bar(&self) -> Option<(f64, f64, [f64; 2])> {
+        let elastic = self.elastic.as_deref()?;
+        let (bar, [from, to]) = (elastic.bar()?, elastic.ends(self)?);
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let mass = bar.mass * length;
+        let inertia = mass * length * length / 12.0 + bar.rotary * length;
+        let middle = [0, 1].map(|k: usize| (from[k] + to[k]) / 2.0);
+        Some((mass, inertia, middle))
+    }
+
+    /// What a file leaves out of an elastic bar.
+    fn fill_from_elastic(&mut self) {
+        // The gate complains of numbers too large.
+        let whole = self
+            .of_bar()
+            .filter(|(mass, inertia, _)| mass.is_finite() && inertia.is_finite());
+        if let Some((mass, inertia, com)) = whole {
+            self.mass.get_or_insert(mass);
+            self.inertia.get_or_insert(inertia);
+            self.com.get_or_insert(com);
+        }
+    }
+}

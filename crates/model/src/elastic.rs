@@ -4,7 +4,6 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use crate::Model;
-use crate::body::Body;
 use crate::section::{LinkMaterial, SectionShape};
 use crate::tree::Tree;
 
@@ -126,7 +125,8 @@ impl ElasticLink {
     pub fn bar(&self) -> Option<ElasticBar> {
         if let Some(bending) = self.bending_stiffness {
             let (axial, mass) = (self.axial_stiffness, self.mass_per_length?);
-            let rotary = axial.map_or(0.0, |axial| mass * bending / axial);
+            let rotary = axial.filter(|axial| *axial > 0.0);
+            let rotary = rotary.map_or(0.0, |axial| mass * bending / axial);
             return Some(ElasticBar {
                 bending,
                 axial,
@@ -144,34 +144,6 @@ impl ElasticLink {
             mass: density * shape.area(),
             rotary: density * shape.second_moment(),
         })
-    }
-
-    /// Its ends in the frame of the body \[m\], where they are points of it.
-    pub fn ends(&self, body: &Body) -> Option<[[f64; 2]; 2]> {
-        let end = |name: &String| body.points.get(name).copied();
-        Some([end(&self.from)?, end(&self.to)?])
-    }
-}
-
-impl Body {
-    /// Mass, inertia about the centre of mass and centre of mass of the bar that an elastic body is [kg, kg·m², m].
-    pub fn of_bar(&self) -> Option<(f64, f64, [f64; 2])> {
-        let elastic = self.elastic.as_deref()?;
-        let (bar, [from, to]) = (elastic.bar()?, elastic.ends(self)?);
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-        let mass = bar.mass * length;
-        let inertia = mass * length * length / 12.0 + bar.rotary * length;
-        let middle = [0, 1].map(|k: usize| (from[k] + to[k]) / 2.0);
-        Some((mass, inertia, middle))
-    }
-
-    /// What a file leaves out of an elastic bar.
-    pub(crate) fn fill_from_elastic(&mut self) {
-        if let Some((mass, inertia, com)) = self.of_bar() {
-            self.mass.get_or_insert(mass);
-            self.inertia.get_or_insert(inertia);
-            self.com.get_or_insert(com);
-        }
     }
 }
 

@@ -227,6 +227,11 @@ impl Substitution {
             let beginning = if path[0] == "gravity" { 1 } else { 2 };
             let (of, rest) = path.split_at_checked(beginning)?;
             let (map, name) = (of[0], of.get(1).copied().unwrap_or_default());
+            // The mass of an elastic body follows from its numbers, and there are rules on its points.
+            let body = nominal.bodies.get(name).filter(|_| map == "bodies");
+            if body.is_some_and(|body| body.elastic.is_some()) {
+                return None;
+            }
             let known = parts
                 .iter()
                 .position(|part| part.map == map && part.name == name);

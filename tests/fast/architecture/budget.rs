@@ -31,8 +31,8 @@ const fn part(
 }
 
 const PARTS: &[Part] = &[
-    part("model", &["crates/model/src"], "rs", 17_460),
-    part("engine", &["crates/engine/src"], "rs", 43_840),
+    part("model", &["crates/model/src"], "rs", 18_080),
+    part("engine", &["crates/engine/src"], "rs", 45_330),
     part("variation", &["crates/variation/src"], "rs", 5_070),
     part("linear", &["crates/linear/src"], "rs", 3_500),
     part(
@@ -52,7 +52,7 @@ const PARTS: &[Part] = &[
     part("validation", &["validation/src"], "rs", 7_750),
     part("python", &["python/src"], "rs", 1_340),
     part("python package", &["python/linkdyn"], "py", 2_030),
-    part("tests", &["tests"], "rs", 46_990),
+    part("tests", &["tests"], "rs", 47_830),
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.

@@ -26,9 +26,11 @@ const LAYERS: &[(&str, &[&str])] = &[
     // Constraints as the contract of `element` shows them, no joint; see `mechanism_knows_no_joint`; of `motion` a value
     // with its derivatives.
     ("mechanism", &["system", "element", "motion"]),
-    ("system", &["element", "motion", "contact"]),
+    ("system", &["element", "elastic", "motion", "contact"]),
     ("graph", &[]),
     ("element", &["motion", "contact"]),
+    // Shapes and mass points of elastic links: numbers only.
+    ("elastic", &[]),
     ("motion", &[]),
     // Laws of contact: pure functions of numbers.
     ("contact", &[]),

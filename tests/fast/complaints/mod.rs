@@ -4,6 +4,7 @@
 
 mod arriving;
 mod cases;
+mod elastic;
 mod files;
 mod hostile;
 
@@ -60,7 +61,7 @@ const GEAR: &str = r#""axis": [1, 0] },
     "g": { "type": "gear", "between": ["crank.O", "rocker.Q"], "ratio": -2 }"#;
 
 /// The bad models by theme.
-const CASES: [&[Case]; 15] = [
+const CASES: [&[Case]; 16] = [
     cases::words::CASES,
     cases::yielding::CASES,
     cases::expressions::CASES,
@@ -74,6 +75,7 @@ const CASES: [&[Case]; 15] = [
     cases::tolerances::CASES,
     cases::parts::CASES,
     cases::sections::CASES,
+    cases::elastic::CASES,
     cases::sets::CASES,
     cases::slips::CASES,
 ];

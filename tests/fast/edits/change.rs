@@ -99,6 +99,8 @@ fn edit_words(value: &mut serde_json::Value, rng: &mut Rng) {
                 "rotation",
                 "translation",
                 "length",
+                "chord",
+                "tangent",
                 "contact",
                 "two_state",
                 "three_state",

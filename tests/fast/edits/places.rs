@@ -76,6 +76,7 @@ pub fn numbers(model: &mut Model) -> Vec<&mut f64> {
         numbers.extend(&mut body.pose.position);
         numbers.push(&mut body.pose.angle);
         numbers.extend(body.com.iter_mut().flatten());
+        numbers.extend(body.elastic.iter_mut().map(|link| &mut link.damping));
     }
     for joint in model.joints.values_mut() {
         match &mut joint.kind {
@@ -184,6 +185,11 @@ pub fn options(model: &mut Model) -> Vec<&mut Option<f64>> {
     let mut options = Vec::new();
     for body in model.bodies.values_mut() {
         options.extend([&mut body.mass, &mut body.inertia]);
+        if let Some(link) = body.elastic.as_deref_mut() {
+            options.extend([&mut link.young_modulus, &mut link.density]);
+            options.extend([&mut link.bending_stiffness, &mut link.axial_stiffness]);
+            options.push(&mut link.mass_per_length);
+        }
     }
     for initial in model.initial.values_mut() {
         options.extend([&mut initial.x, &mut initial.angle, &mut initial.vy]);

@@ -1,9 +1,10 @@
 //! Elastic links: what they are made of, that their points are on their axis, and that their bodies weigh what they weigh.
 
 use super::{Rules, sections};
+use crate::display::number;
 use crate::elastic::{ElasticLink, ModalData};
 use crate::error::Complaint;
-use crate::{Body, display, suggest};
+use crate::{Body, JointKind, suggest};
 
 /// Masses and places that differ by less are the same, relative to the bar's.
 const SAME: f64 = 1e-6;
@@ -48,9 +49,35 @@ pub(super) fn links(rules: &mut Rules<'_>) {
     }
 }
 
+/// Outlines of contacts and profiles of cams keep their shape.
+pub(super) fn outlines(rules: &mut Rules<'_>) {
+    let model = rules.model;
+    for (name, joint) in &model.joints {
+        let what = if matches!(joint.kind, JointKind::Contact { .. }) {
+            "outline"
+        } else if matches!(joint.kind, JointKind::Cam(_)) {
+            "profile"
+        } else {
+            continue;
+        };
+        let path = format!("joints.{name}.between[0]");
+        let owner = &joint.between[0].body;
+        let body = model.bodies.get(owner);
+        if body.is_some_and(|body| body.elastic.is_some())
+            && !rules.holes.has(&path)
+            && !rules.holes.has(&format!("joints.{name}.type"))
+        {
+            rules.complain(
+                path,
+                format!("{owner:?} is elastic, and would bend the {what}"),
+                format!("give the {what} to a rigid body, which a fixed joint holds at a point of {owner:?}"),
+            );
+        }
+    }
+}
+
 /// Keys that mean nothing beside what describes the link; whether all fit.
 fn belongs(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink) -> bool {
-    let is_modal = elastic.modal.is_some();
     let of_bar = [
         ("material", elastic.material.is_some()),
         ("young_modulus", elastic.young_modulus.is_some()),
@@ -77,26 +104,24 @@ fn belongs(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink) -> bool {
             fits = false;
         }
     };
-    if elastic.section.is_some() {
-        let hint = "with a \"section\" they follow from it and from the material";
-        refuse(&of_numbers, "a cross-section leaves no choice of", hint);
-    } else {
-        let hint = "a \"section\" has a material; \"bending_stiffness\" and \"mass_per_length\" are what they are";
-        refuse(&of_bar, "without a \"section\" nothing follows from", hint);
+    if elastic.modal.is_some() {
+        let elements = [("elements", elastic.elements.is_some())];
+        for keys in [&of_bar[..], &of_numbers, &of_modes, &elements] {
+            let hint = "leave it out: the matrices of \"modal\" say all of this";
+            refuse(keys, "beside \"modal\" there is no", hint);
+        }
+        return fits;
     }
-    if is_modal {
-        let hint = "the matrices of \"modal\" say all of this";
-        refuse(&of_numbers, "modal data have no", hint);
-        refuse(&of_modes, "modal data have no", hint);
-        refuse(
-            &[("elements", elastic.elements.is_some())],
-            "modal data have no",
-            hint,
-        );
+    if elastic.section.is_some() {
+        let hint =
+            "leave it out: it follows from the cross-section and from what the link is made of";
+        refuse(&of_numbers, "beside \"section\" there is no", hint);
+    } else {
+        let hint = "give \"mass_per_length\" and, where it stretches, \"axial_stiffness\"; or a \"section\" instead of \"bending_stiffness\"";
+        refuse(&of_bar, "beside \"bending_stiffness\" there is no", hint);
     }
     if elastic.elements.is_some() {
-        let hint =
-            "elements bend and stretch, between bodies with places of their own; or give \"modes\"";
+        let hint = "elements bend and stretch between nodes with places of their own; leave it out, or give \"modes\" instead of \"elements\"";
         refuse(&of_modes, "a chain of elements has no", hint);
         refuse(&of_start, "a chain of elements has no", hint);
     }
@@ -114,7 +139,7 @@ fn made_of(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink) {
             rules.complain(
                 path,
                 "\"mass_per_length\" is missing beside \"bending_stiffness\"",
-                "add \"mass_per_length\": \"0.5 kg/m\"",
+                "as in \"mass_per_length\": \"0.5 kg/m\"",
             );
         }
         let stretches = elastic.axial == Some(true) || elastic.elements.is_some();
@@ -122,7 +147,7 @@ fn made_of(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink) {
             rules.complain(
                 path,
                 "\"axial_stiffness\" is missing for a link that stretches",
-                "add \"axial_stiffness\": \"1e6 N\"",
+                "as in \"axial_stiffness\": \"1e7 N\"",
             );
         }
     } else if elastic.material.is_some() {
@@ -155,7 +180,7 @@ fn slender(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink, [from, to]:
                 path,
                 format!(
                     "the link is {} times as long as it is high, and shears, which is left out",
-                    display::number(length / height, 3)
+                    number(length / height, 3)
                 ),
             )
             .hint("a link ten times as long as it is high is about right to 3 %"),
@@ -185,7 +210,7 @@ fn points(rules: &mut Rules<'_>, name: &str, body: &Body, [from, to]: [[f64; 2];
         rules.complain(
             format!("bodies.{name}.points.{point}"),
             message,
-            "give it to another body, which a fixed joint holds at a point of the axis",
+            "give it to a rigid body, which a fixed joint holds at a point of the axis",
         );
     }
 }
@@ -198,7 +223,6 @@ fn weight(rules: &mut Rules<'_>, name: &str, body: &Body) {
     let display = &rules.model.display;
     let is_off =
         |given: Option<f64>, own: f64| given.filter(|given| (given - own).abs() > SAME * own.abs());
-    let hint = "leave it out, or correct the dimensions or the material; other masses are bodies of their own, held by fixed joints";
     let mut said = Vec::new();
     if let Some(given) = is_off(body.mass, mass) {
         let [own, given] = [mass, given].map(|mass| display.mass_to(mass, 7));
@@ -208,10 +232,10 @@ fn weight(rules: &mut Rules<'_>, name: &str, body: &Body) {
         ));
     }
     if let Some(given) = is_off(body.inertia, inertia) {
-        let [own, given] = [inertia, given].map(|inertia| format!("{inertia:.7} kg·m²"));
+        let [own, given] = [inertia, given].map(|inertia| number(inertia, 7));
         said.push((
             "inertia",
-            format!("the elastic link has an inertia of {own}, and not of {given}"),
+            format!("the elastic link has an inertia of {own} kg·m², and not of {given} kg·m²"),
         ));
     }
     let length = body
@@ -223,9 +247,11 @@ fn weight(rules: &mut Rules<'_>, name: &str, body: &Body) {
         .com
         .map_or(0.0, |given| (given[0] - com[0]).hypot(given[1] - com[1]));
     if off > SAME * length {
-        let message = "the centre of mass of an elastic link is in the middle between its ends";
-        said.push(("com", message.to_owned()));
+        let off = display.length_to(off, 5);
+        let message = format!("it is {off} away from the middle of the elastic link");
+        said.push(("com", message));
     }
+    let hint = "leave it out, or correct what the link is made of; further masses are bodies of their own, held by fixed joints";
     for (key, message) in said {
         rules.complain(format!("bodies.{name}.{key}"), message, hint);
     }
@@ -317,8 +343,8 @@ fn matrices(rules: &mut Rules<'_>, path: &str, body: &Body, modal: &ModalData) {
     for (key, count) in lists.iter().filter(|(_, count)| *count != n) {
         rules.complain(
             format!("{path}.{key}"),
-            format!("{count} entries for {n} amplitudes"),
-            "give one for each row of \"mass\"",
+            format!("a list of {n} is expected, this one has {count}"),
+            "there is one amplitude for each row of \"mass\"",
         );
     }
     for (key, lacks) in [

@@ -157,6 +157,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     sections::beams(&mut rules);
     elastic::links(&mut rules);
     rules.joints();
+    elastic::outlines(&mut rules);
     drivers::drivers(&mut rules);
     forces::forces(&mut rules);
     motions::motions(&mut rules);

@@ -1,5 +1,6 @@
 //! What a model consists of, as far as results are named after it.
 
+use super::bodies::ElasticNames;
 use crate::dimension::{Dimension, Powers};
 use crate::error::Complaint;
 use crate::node::{Kind, Node};
@@ -31,6 +32,8 @@ pub struct Catalogue {
     pub(super) measures: Vec<(String, bool)>,
     /// Bodies with a cross-section, and their numbers of stations.
     pub(super) sections: Vec<(String, usize)>,
+    /// Bodies that bend.
+    pub(super) elastic: Vec<ElasticNames>,
     /// What drives and what is driven, where the analysis wants a transmission.
     pub(super) transmission: Option<[Dimension; 2]>,
 }
@@ -60,7 +63,10 @@ impl Catalogue {
     pub fn of(model: &Model) -> Self {
         let wanted: Vec<String> = model.points.iter().map(ToString::to_string).collect();
         let bodies = model.bodies.iter().filter(|(name, _)| *name != GROUND);
-        let mut catalogue = Catalogue::default();
+        let mut catalogue = Catalogue {
+            elastic: ElasticNames::of(model),
+            ..Catalogue::default()
+        };
         for (name, body) in bodies {
             catalogue.body(name, body.points.keys().map(String::as_str), &wanted);
             let section = body.section.as_deref();
@@ -170,6 +176,9 @@ impl Catalogue {
                 _ => Vec::new(),
             };
             catalogue.body(name, points.into_iter(), &wanted);
+            catalogue
+                .elastic
+                .extend(ElasticNames::of_file(name, &member.node));
             let section = member.node.get("section").map(|section| {
                 let stations = match section.get("stations").map(|node| &node.kind) {
                     Some(Kind::Number(number)) => number.as_u64(),

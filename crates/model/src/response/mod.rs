@@ -1,6 +1,7 @@
 //! Responses: named numbers of a run, such as a stroke or a peak.
 
 mod arguments;
+mod bodies;
 mod catalogue;
 mod facts;
 mod names;

@@ -1,23 +1,12 @@
 //! All names of results that a model can have, whatever it computes.
 
+use super::bodies::{BODY, ElasticNames, of};
 use super::catalogue::{Catalogue, JointNames, Load};
 use super::facts::{ClearanceSum, EVENTS, Fact, Item, List};
 use crate::dimension::{Dimension, Powers, powers};
 use crate::error::Complaint;
 use crate::expression::{Known, Place, Results};
 use crate::suggest;
-
-const BODY: [(&str, Dimension); 9] = [
-    ("x", Dimension::Length),
-    ("y", Dimension::Length),
-    ("angle", Dimension::Angle),
-    ("vx", Dimension::Velocity),
-    ("vy", Dimension::Velocity),
-    ("omega", Dimension::AngularVelocity),
-    ("ax", Dimension::Acceleration),
-    ("ay", Dimension::Acceleration),
-    ("alpha", Dimension::AngularAcceleration),
-];
 
 const POINT: [&str; 6] = ["x", "y", "vx", "vy", "ax", "ay"];
 
@@ -94,11 +83,6 @@ const TRANSMISSION: [&str; 2] = ["ratio", "advantage"];
 
 const ENERGY: [&str; 4] = ["kinetic", "potential", "contact", "dissipated"];
 
-fn of(table: &[(&str, Dimension)], word: &str) -> Option<Powers> {
-    let row = table.iter().find(|row| row.0 == word)?;
-    Some(row.1.powers())
-}
-
 impl JointNames {
     /// The last words of columns that it has if they are requested.
     fn shown(&self) -> impl Iterator<Item = &'static str> {
@@ -154,6 +138,10 @@ impl Catalogue {
         }
         if self.points.iter().any(|point| point == owner) && POINT.contains(&word) {
             return of(&BODY, word);
+        }
+        let mut links = self.elastic.iter();
+        if let Some(found) = links.find_map(|one| one.column(owner, word)) {
+            return Some(found);
         }
         match owner {
             "energy" if ENERGY.contains(&word) => return Some(powers(2, 1, -2, 0)),
@@ -341,6 +329,7 @@ impl Catalogue {
             let of = |station| STATION.map(|row| format!("section.{body}.{}_{station}", row.0));
             names.extend((1..=*stations).flat_map(of));
         }
+        names.extend(self.elastic.iter().flat_map(ElasticNames::names));
         names.extend(self.outputs.iter().map(|one| format!("output.{}", one.0)));
         names.extend(self.measured());
         for (state, _) in &self.states {

@@ -48,7 +48,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""pose""#, r#""colour""#)],
         sets: &[],
         complaints: &[
-            r#"line 9, column 49: bodies.crank.colour: "colour": unknown key (known keys: mass, inertia, com, points, pose, section, note)"#,
+            r#"line 9, column 49: bodies.crank.colour: "colour": unknown key (known keys: mass, inertia, com, points, pose, section, elastic, note)"#,
         ],
     },
     Case {

@@ -6,6 +6,7 @@ pub mod analysis;
 pub mod bodies;
 pub mod clearances;
 pub mod drivers;
+pub mod elastic;
 pub mod expressions;
 pub mod joints;
 pub mod laws;
