@@ -36,10 +36,10 @@ const LINKS: [(&str, [&str; 2], Option<&str>); 5] = [
 /// When it can't be run.
 pub fn run(setting: &Setting) -> Result<CaseReport, CaseError> {
     let mut report = CaseReport::default();
-    let rigid = Stroke::of(&rigid()?, setting)?;
-    let one = Stroke::of(&elastic(1, None)?, setting)?;
-    let two = Stroke::of(&elastic(2, None)?, setting)?;
-    let loose = Stroke::of(&elastic(1, Some("100 um"))?, setting)?;
+    let rigid = ElasticStroke::of(&rigid()?, setting)?;
+    let one = ElasticStroke::of(&elastic(1, None)?, setting)?;
+    let two = ElasticStroke::of(&elastic(2, None)?, setting)?;
+    let loose = ElasticStroke::of(&elastic(1, Some("100 um"))?, setting)?;
     let _ = writeln!(
         report.text,
         "largest force in the hinges from {} to {} deg of link 6 [N]\nhinge      rigid    1 mode   2 modes  1 mode, contact 100 um",
@@ -163,15 +163,15 @@ fn elastic(modes: usize, clearance: Option<&str>) -> Result<Value, CaseError> {
 }
 
 /// A run over the whole stroke.
-struct Stroke(Outcome);
+struct ElasticStroke(Outcome);
 
-impl Stroke {
+impl ElasticStroke {
     fn of(model: &Value, setting: &Setting) -> Result<Self, CaseError> {
         let mut model = model.clone();
         if let Some(model) = model.as_object_mut() {
             model.remove("accuracy");
         }
-        Ok(Stroke(finished(analysis::run(
+        Ok(ElasticStroke(finished(analysis::run(
             &read(&model)?,
             &setting.control,
         ))?))
@@ -196,7 +196,7 @@ impl Stroke {
     }
 
     /// Largest difference of θ2 over the stroke \[deg\].
-    fn apart(&self, other: &Stroke) -> Result<f64, CaseError> {
+    fn apart(&self, other: &ElasticStroke) -> Result<f64, CaseError> {
         let (own, other) = (self.values("link2.angle")?, other.values("link2.angle")?);
         let off = own
             .iter()

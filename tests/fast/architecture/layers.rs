@@ -188,6 +188,7 @@ const KNOW_THE_MODEL: &[&str] = &[
     "analysis/question.rs",
     "analysis/settings.rs",
     // Entries, which compile a model.
+    "analysis/bent.rs",
     "analysis/check.rs",
     "analysis/derived.rs",
     "analysis/family/mechanisms.rs",

@@ -1,6 +1,6 @@
 //! How elastic links look: places of their axes by the columns of results.
 
-use crate::element::station::Station;
+use crate::element::station::CarriedSection;
 use crate::system::{System, compile::compile};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::display::number;
@@ -78,10 +78,10 @@ pub(super) fn warnings(system: &System, rows: &Trajectory, steps: usize) -> Vec<
         let columns: Vec<Option<usize>> = (1..=axis.amplitudes.len())
             .map(|k| column(format!("{name}.q{k}")))
             .collect();
-        let reach = |station: &Station| station.place.norm();
+        let reach = |station: &CarriedSection| station.place.norm();
         let length = axis.stations.iter().map(reach).fold(0.0, f64::max);
         let deflected = |row: &[f64]| {
-            let of = |station: &Station| {
+            let of = |station: &CarriedSection| {
                 let shares = station.shares.iter().zip(&columns);
                 let moved = shares.fold(Vec2::zeros(), |sum, (share, column)| {
                     sum + share.moves * column.map_or(0.0, |column| row[column])

@@ -315,14 +315,14 @@ impl Contents {
     pub fn columns(self, system: &System) -> Vec<Column> {
         let mut columns = vec![Column::of(Channel::Time, "", "s")];
         for (body, data) in system.bodies.iter().enumerate() {
-            match data.part {
+            match data.part() {
                 BodyPart::Own | BodyPart::Node(_) | BodyPart::Section => {
                     columns.extend(self.of_body().map(|quantity| {
                         Column::of(Channel::Body(body, quantity), &data.name, quantity.unit())
                     }))
                 }
                 BodyPart::Amplitudes { first, count } => {
-                    columns.extend(self.of_amplitudes(body, &data.link, first, count));
+                    columns.extend(self.of_amplitudes(body, data.link(), first, count));
                 }
                 // These follow from the frame and the amplitudes.
                 BodyPart::MassPoint => {}

@@ -187,7 +187,7 @@ fn bodies(held: &LinearisedSystem) -> Vec<(String, [f64; 3])> {
     let system = held.driven.system;
     let bodies = system.bodies.iter().zip(system.layout.bodies());
     bodies
-        .filter(|(body, _)| body.part != BodyPart::MassPoint)
+        .filter(|(body, _)| body.part() != BodyPart::MassPoint)
         .map(|(body, columns)| {
             let [x, y, theta] = columns.read(&held.q);
             let rho = crate::element::Pose::new(x, y, theta).turn(body.origin);
@@ -203,7 +203,7 @@ fn mode(held: &LinearisedSystem, pair: &Eigenpair) -> Mode {
     let system = held.driven.system;
     let mut shape: Vec<[[f64; 2]; 3]> = Vec::with_capacity(system.bodies.len());
     let bodies = system.bodies.iter().zip(system.layout.bodies());
-    for (body, columns) in bodies.filter(|(body, _)| body.part != BodyPart::MassPoint) {
+    for (body, columns) in bodies.filter(|(body, _)| body.part() != BodyPart::MassPoint) {
         let angle = held.q[columns.theta()];
         let rho = crate::element::Pose::new(0.0, 0.0, angle).turn(body.origin);
         let of = |s: &[f64]| {

@@ -80,7 +80,7 @@ pub struct States {
 /// The frame of a body; that of no column where it follows from others.
 fn frame(system: &System, columns: &Columns, body: usize) -> Option<Frame> {
     let column = |quantity| columns.find(Channel::Body(body, quantity));
-    match system.bodies[body].part {
+    match system.bodies[body].part() {
         BodyPart::Own | BodyPart::Node(_) | BodyPart::Section => {
             Frame::of(columns, BodyId(body + 1))
         }
@@ -96,7 +96,7 @@ fn amplitudes(system: &System, columns: &Columns) -> Vec<(usize, [[Option<usize>
         [BodyQuantity::Y, BodyQuantity::Vy],
     ];
     let bodies = system.bodies.iter().enumerate();
-    let of = bodies.filter(|(_, data)| matches!(data.part, BodyPart::Amplitudes { .. }));
+    let of = bodies.filter(|(_, data)| matches!(data.part(), BodyPart::Amplitudes { .. }));
     let find = |body: usize| {
         BOTH.map(|orders| orders.map(|quantity| columns.find(Channel::Body(body, quantity))))
     };

@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 
 /// How a point of a link moves by the amplitudes (n), in the axes of its frame.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Moved {
+pub struct CarriedPoint {
     /// X \[m\], from the frame's origin.
     pub place: Vec2,
     /// Φ_i [–].

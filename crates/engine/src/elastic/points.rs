@@ -13,14 +13,14 @@
 //! W_p0 = √μ, which a unitary matrix makes of any W. Points of equal mass μ = m/(n + 2) are as good as others.
 //! Γ of the points solves W* (√μ Γ) = ∫ρ (1, X̄, Φ̄_k) Γ_ij, so that all integrals with the first-order displacements are exact.
 
-use super::{Modal, Moved};
+use super::{CarriedPoint, Modal};
 use linkdyn_linear::math::Vec2;
 use nalgebra::{Complex, DMatrix, DVector};
 
 type Matrix = DMatrix<Complex<f64>>;
 
 /// Mass points that move as a link does: the mass of each \[kg\], and how they move. `None` where the integrals belong to no body.
-pub fn points(link: &Modal) -> Option<(f64, Vec<Moved>)> {
+pub fn points(link: &Modal) -> Option<(f64, Vec<CarriedPoint>)> {
     let n = link.count();
     let count = n + 2;
     let h = gram(link);
@@ -43,7 +43,7 @@ pub fn points(link: &Modal) -> Option<(f64, Vec<Moved>)> {
     let second = second_order(link, &w)?;
     let by = mass.sqrt();
     let vector = |z: Complex<f64>| Vec2::new(z.re / by, z.im / by);
-    let found = (0..count).map(|p| Moved {
+    let found = (0..count).map(|p| CarriedPoint {
         place: vector(w[(p, 1)]),
         moves: (0..n).map(|i| vector(w[(p, i + 2)])).collect(),
         turns: vec![0.0; n],
@@ -125,9 +125,9 @@ mod tests {
     /// ∫ of products of two displacement functions, from the points.
     fn products(
         mass: f64,
-        points: &[Moved],
-        f: &dyn Fn(&Moved) -> Vec2,
-        g: &dyn Fn(&Moved) -> Vec2,
+        points: &[CarriedPoint],
+        f: &dyn Fn(&CarriedPoint) -> Vec2,
+        g: &dyn Fn(&CarriedPoint) -> Vec2,
     ) -> [f64; 2] {
         let terms = points.iter().map(|p| (f(p), g(p)));
         terms.fold([0.0; 2], |[dot, cross], (f, g)| {
@@ -162,32 +162,33 @@ mod tests {
             }),
         };
         let (mass, points) = points(&link).expect("a body");
-        let one = |_: &Moved| Vec2::x();
-        let place = |p: &Moved| p.place;
+        let one = |_: &CarriedPoint| Vec2::x();
+        let place = |p: &CarriedPoint| p.place;
         let near = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
             assert!(
                 (a - c).abs() < 1e-12 && (b - d).abs() < 1e-12,
                 "{a} {b}, {c} {d}"
             );
         };
-        let of =
-            |f: &dyn Fn(&Moved) -> Vec2, g: &dyn Fn(&Moved) -> Vec2| products(mass, &points, f, g);
+        let of = |f: &dyn Fn(&CarriedPoint) -> Vec2, g: &dyn Fn(&CarriedPoint) -> Vec2| {
+            products(mass, &points, f, g)
+        };
         near(of(&one, &one), [2.0, 0.0]);
         near(of(&one, &place), [1.1, -0.2]);
         near(of(&place, &place), [1.5, 0.0]);
         for i in 0..2 {
-            let shape = |p: &Moved| p.moves[i];
+            let shape = |p: &CarriedPoint| p.moves[i];
             near(of(&one, &shape), link.momentum[i].into());
             near(of(&place, &shape), [link.moments[0][i], link.moments[1][i]]);
             for j in 0..2 {
-                let other = |p: &Moved| p.moves[j];
+                let other = |p: &CarriedPoint| p.moves[j];
                 let known = [link.matrices[0][(i, j)], link.gyroscopic[(i, j)]];
                 near(of(&shape, &other), known);
-                let shortened = |p: &Moved| p.shortens[i][j];
+                let shortened = |p: &CarriedPoint| p.shortens[i][j];
                 let second = link.second.as_ref().expect("second order");
                 near(of(&one, &shortened), [second.rigid[0][(i, j)], 0.0]);
                 near(of(&place, &shortened), [second.rigid[1][(i, j)], 0.0]);
-                let first = |p: &Moved| p.moves[0];
+                let first = |p: &CarriedPoint| p.moves[0];
                 near(of(&first, &shortened), [0.0, second.bent[0][1][(i, j)]]);
             }
         }

@@ -10,7 +10,7 @@
 //! round-off. Bending shapes are then combined so that M and K are diagonal, and measured by their largest deflection.
 //! Axial shapes are linear between joined places, and one parabola: what uniform inertia stretches.
 
-use super::{Modal, Moved, SecondOrder, generalised};
+use super::{CarriedPoint, Modal, SecondOrder, generalised};
 use linkdyn_linear::math::Vec2;
 use nalgebra::DMatrix;
 
@@ -344,7 +344,7 @@ impl Shapes {
     }
 
     /// How the section at a place of the axis moves.
-    pub fn moved(&self, x: f64) -> Moved {
+    pub fn moved(&self, x: f64) -> CarriedPoint {
         let (bent, stretched) = (self.bent_at(x), self.bar.stretches(x));
         let n = bent.len() + stretched.len();
         let across = bent.iter().map(|jet| Vec2::new(0.0, jet[0]));
@@ -354,7 +354,7 @@ impl Shapes {
             true => Vec2::new(-short[(i, j)], 0.0),
             false => Vec2::zeros(),
         };
-        Moved {
+        CarriedPoint {
             place: Vec2::new(x, 0.0),
             moves: across.chain(along).collect(),
             turns: bent

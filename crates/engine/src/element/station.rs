@@ -36,7 +36,7 @@ impl Amplitude {
 
 /// How a section moves by one amplitude.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Share {
+pub struct AmplitudeShare {
     /// The amplitude.
     pub amplitude: Amplitude,
     /// Φ [–].
@@ -47,7 +47,7 @@ pub struct Share {
 
 /// A section of an elastic link.
 #[derive(Debug, Clone)]
-pub struct Station {
+pub struct CarriedSection {
     /// The frame.
     pub frame: BodyId,
     /// The section.
@@ -55,12 +55,12 @@ pub struct Station {
     /// X \[m\], from the frame's origin.
     pub place: Vec2,
     /// By each amplitude (n).
-    pub shares: Vec<Share>,
+    pub shares: Vec<AmplitudeShare>,
     /// Γ (n × n by rows) [1/m]; empty where nothing shortens.
     pub shortens: Vec<Vec2>,
 }
 
-impl Station {
+impl CarriedSection {
     /// Γ of one amplitude by each.
     fn row(&self, share: usize) -> &[Vec2] {
         let n = self.shares.len();
@@ -71,7 +71,10 @@ impl Station {
     }
 
     /// Each amplitude with Φ_i + Σ Γ_ij q_j.
-    fn slopes<'s>(&'s self, at: &'s Kinematics) -> impl Iterator<Item = (Vec2, &'s Share)> + 's {
+    fn slopes<'s>(
+        &'s self,
+        at: &'s Kinematics,
+    ) -> impl Iterator<Item = (Vec2, &'s AmplitudeShare)> + 's {
         self.shares.iter().enumerate().map(|(k, share)| {
             let bent = self.row(k).iter().zip(&self.shares);
             let slope = bent.fold(share.moves, |sum, (second, other)| {
@@ -126,7 +129,7 @@ impl Station {
     }
 }
 
-impl Station {
+impl CarriedSection {
     /// Σ Γ_ij q̇_i q̇_j [m/s²].
     fn shortening(&self, at: &Kinematics) -> Vec2 {
         let mut bent = Vec2::zeros();
@@ -158,7 +161,7 @@ impl Station {
     }
 }
 
-impl Equations for Station {
+impl Equations for CarriedSection {
     fn position(&self, at: &Kinematics, phi: &mut [f64]) {
         let (place, angle) = self.pose(at);
         let section = &at.poses[self.section.0];
@@ -196,7 +199,7 @@ impl Equations for Station {
     }
 }
 
-impl Constraint for Station {
+impl Constraint for CarriedSection {
     fn rows(&self) -> &'static [Measure] {
         &[Measure::Length, Measure::Length, Measure::Angle]
     }
@@ -220,7 +223,7 @@ impl Constraint for Station {
 
     fn curvature_pattern(&self) -> Vec<Slope> {
         let turn = (self.frame, Axis::Theta);
-        let of = |share: &Share| (share.amplitude.body, share.amplitude.axis);
+        let of = |share: &AmplitudeShare| (share.amplitude.body, share.amplitude.axis);
         let mut pattern = vec![[turn, turn]];
         for (i, share) in self.shares.iter().enumerate() {
             pattern.push([turn, of(share)]);
@@ -317,7 +320,7 @@ pub(super) mod tests {
 
     /// Sections with and without foreshortening, for the shared checks.
     pub(in crate::element) fn all() -> Vec<Named> {
-        let share = |axis: Axis, moves: [f64; 2], turns: f64| Share {
+        let share = |axis: Axis, moves: [f64; 2], turns: f64| AmplitudeShare {
             amplitude: Amplitude {
                 body: BodyId(3),
                 axis,
@@ -325,7 +328,7 @@ pub(super) mod tests {
             moves: moves.into(),
             turns,
         };
-        let station = |shares: Vec<Share>, second: &[[f64; 2]]| Station {
+        let station = |shares: Vec<AmplitudeShare>, second: &[[f64; 2]]| CarriedSection {
             frame: BodyId(1),
             section: BodyId(2),
             place: Vec2::new(0.7, -0.1),

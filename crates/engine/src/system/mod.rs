@@ -53,7 +53,7 @@ use crate::element::cam::Cam;
 use crate::element::enclosure::Enclosure;
 use crate::element::formula::Formula;
 use crate::element::pair::{ContactId, Pair};
-use crate::element::station::{Amplitude, Station};
+use crate::element::station::{Amplitude, CarriedSection};
 use crate::element::{Axis, ConstraintDependentForce, Force, Layout, Marker, Measure};
 use crate::motion::{Jet, Law};
 use linkdyn_linear::math::Vec2;
@@ -101,12 +101,38 @@ pub struct BodyData {
     pub origin: Vec2,
     /// Whether the file says that its mass or its inertia is zero.
     pub(crate) is_light: bool,
+    /// Of what is inside an elastic link.
+    pub(crate) inner: Option<Box<InnerBody>>,
+}
+
+impl BodyData {
     /// What it is to the user.
-    pub part: BodyPart,
+    pub fn part(&self) -> BodyPart {
+        self.inner
+            .as_ref()
+            .map_or(BodyPart::Own, |inner| inner.part)
+    }
+
     /// The body of the file to which it belongs.
-    pub link: String,
-    /// How it follows from an elastic link, of a section of one.
-    pub(crate) carried: Option<Arc<Station>>,
+    pub fn link(&self) -> &str {
+        self.inner.as_ref().map_or(&self.name, |inner| &inner.link)
+    }
+
+    /// How it follows from an elastic link, of a section or a mass point of one.
+    pub(crate) fn carried(&self) -> Option<&CarriedSection> {
+        self.inner.as_ref()?.carried.as_deref()
+    }
+}
+
+/// A body inside an elastic link.
+#[derive(Debug, Clone)]
+pub struct InnerBody {
+    /// The body of the file to which it belongs.
+    pub(crate) link: String,
+    /// What it is there.
+    pub(crate) part: BodyPart,
+    /// How it follows from the link.
+    pub(crate) carried: Option<Arc<CarriedSection>>,
 }
 
 /// The axis of an elastic link by few amplitudes, at equally spaced places from one end to the other.
@@ -117,7 +143,7 @@ pub struct ElasticAxis {
     /// Its amplitudes: bodies by their number, and which of both.
     pub amplitudes: Vec<Amplitude>,
     /// How the places move, in the frame of the body from its origin of deflections.
-    pub stations: Vec<Station>,
+    pub stations: Vec<CarriedSection>,
     /// w″ of the places by the amplitudes [1/m²]; empty of modal data.
     pub curvatures: Vec<Vec<f64>>,
     /// Mass \[kg\], and ρI L [kg·m²].
@@ -364,7 +390,7 @@ impl System {
 
     /// Writes where the sections and mass points of elastic links are, which follow from their frames and amplitudes, and how they move.
     pub(crate) fn carry(&self, q: &mut [f64], v: Option<&mut [f64]>) {
-        if self.bodies.iter().all(|body| body.carried.is_none()) {
+        if self.bodies.iter().all(|body| body.inner.is_none()) {
             return;
         }
         let mut evaluation = Evaluation::new(self);
@@ -377,7 +403,7 @@ impl System {
         let carried = self.bodies.iter().zip(self.layout.bodies());
         let carried: Vec<_> = carried
             .filter_map(|(body, columns)| {
-                let station = body.carried.as_deref()?;
+                let station = body.carried()?;
                 Some((columns, station.pose(&at), station.twist(&at)))
             })
             .collect();

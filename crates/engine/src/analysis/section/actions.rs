@@ -66,8 +66,8 @@ impl Actions {
 /// Bodies with a cross-section, and the sections of those that are elastic.
 fn cut_bodies(system: &System) -> Vec<usize> {
     let sections = system.bodies.iter().enumerate().filter(|(_, data)| {
-        let of = |body: &usize| system.bodies[*body].name == data.link;
-        data.part == BodyPart::Section && system.sections.keys().any(of)
+        let of = |body: &usize| system.bodies[*body].name == data.link();
+        data.part() == BodyPart::Section && system.sections.keys().any(of)
     });
     let sections = sections.map(|(body, _)| body);
     system.sections.keys().copied().chain(sections).collect()

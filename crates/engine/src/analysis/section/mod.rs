@@ -157,9 +157,9 @@ fn of_sections<'a>(
     let name = &system.bodies[axis.body].name;
     let bodies = system.bodies.iter().enumerate();
     let sections =
-        bodies.filter(move |(_, data)| data.part == BodyPart::Section && data.link == *name);
+        bodies.filter(move |(_, data)| data.part() == BodyPart::Section && data.link() == name);
     sections.flat_map(move |(body, data)| {
-        let x = data.carried.as_ref().map_or(0.0, |own| own.place.norm());
+        let x = data.carried().map_or(0.0, |own| own.place.norm());
         actions.on(body).map(move |action| (x, action))
     })
 }

@@ -10,6 +10,7 @@ mod forces;
 mod formulas;
 mod joints;
 mod laws;
+mod links;
 mod needs;
 mod parts;
 mod profiles;
@@ -21,16 +22,14 @@ pub use laws::{law, value_law};
 pub use profiles::{Profile, profiles};
 
 use super::rows::{reach, size, spread};
-use super::{
-    BodyData, BodyPart, Extent, Mass, Origin, OutputPoint, Scale, SectionData, StateData, System,
-};
+use super::{BodyData, Extent, Mass, Origin, OutputPoint, Scale, SectionData, StateData, System};
 use crate::element::pair::ContactId;
 use crate::element::{BodyId, Constraint, Force, Layout, Marker, Pose};
-use elastic::Elastic;
 use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::response::{Catalogue, Look};
 use linkdyn_model::{AnalysisKind, Body, Checked, GROUND, LinkSection, Model, PointRef, Timed};
+use links::Elastic;
 use needs::{Joints, missing};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -296,9 +295,7 @@ impl<'a> Compiler<'a> {
                 name: name.clone(),
                 origin: -com,
                 is_light: body.mass == Some(0.0) || body.inertia == Some(0.0),
-                part: BodyPart::Own,
-                link: name.clone(),
-                carried: None,
+                inner: None,
             });
         }
     }
