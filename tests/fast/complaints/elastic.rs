@@ -37,7 +37,7 @@ fn modal(inertia: f64, mass: f64) -> String {
 fn runs_refuse_what_is_no_elastic_link() {
     let no_body = "bodies.rod.elastic: these numbers belong to no body: a deflection would have no kinetic energy, or a negative one (mass and \
                    inertia, \"mass\", \"momentum\", \"radial\", \"angular_momentum\" and \"gyroscopic\" are integrals over one body)";
-    let cases: [(String, &[&str]); 10] = [
+    let cases: [(String, &[&str]); 9] = [
         (bar(""), &[]),
         (modal(0.8 * 0.0625 / 12.0, 0.4), &[]),
         (
@@ -62,10 +62,14 @@ fn runs_refuse_what_is_no_elastic_link() {
         (modal(0.8 * 0.0625 / 12.0, 0.0), &[no_body]),
         // The half wave has more momentum than this mass could.
         (modal(0.8 * 0.0625 / 12.0, 0.3), &[no_body]),
-        (modal(1e-5, 0.4), &[no_body]),
         (modal(0.0, 0.4), &[no_body]),
     ];
+    let mut wrong = String::new();
     for (rest, wanted) in cases {
-        assert_eq!(said(&rest), wanted, "{rest}");
+        let said = said(&rest);
+        if said != wanted {
+            wrong += &format!("{rest}:\n  said {said:#?}\n  want {wanted:#?}\n");
+        }
     }
+    assert!(wrong.is_empty(), "{wrong}");
 }
