@@ -101,7 +101,7 @@ pub use self::{
     beam::{Beam, BeamSection},
     bushing::{Bushing, PerAxis},
     cam::{Cam, CamSegment, Follower, Profile},
-    elastic::{ElasticBar, ElasticFrame, ElasticLink, ModalData},
+    elastic::{Crack, ElasticBar, ElasticFrame, ElasticLink, ModalData},
     expression::Given,
     file_access::FileAccess,
     force::Stroke,

@@ -43,19 +43,19 @@ fn runs_refuse_what_is_no_elastic_link() {
         (
             bar(r#", "amplitudes": [1, 0, 0]"#),
             &[
-                "bodies.rod.elastic.amplitudes: 3 numbers for 2 amplitudes (give one for each amplitude: bending shapes first, slowest first, then axial ones)",
+                "bodies.rod.elastic.amplitudes: a list of 2 is expected, this one has 3 (one for each amplitude: bending shapes first, slowest first, then axial ones)",
             ],
         ),
         (
             bar(r#", "modes": 3, "rates": ["1 m/s"]"#),
             &[
-                "bodies.rod.elastic.rates: 1 numbers for 3 amplitudes (give one for each amplitude: bending shapes first, slowest first, then axial ones)",
+                "bodies.rod.elastic.rates: a list of 3 is expected, this one has 1 (one for each amplitude: bending shapes first, slowest first, then axial ones)",
             ],
         ),
         (
             bar(r#", "frame": "tangent", "axial": true, "amplitudes": [0, 0]"#),
             &[
-                "bodies.rod.elastic.amplitudes: 2 numbers for 4 amplitudes (give one for each amplitude: bending shapes first, slowest first, then axial ones)",
+                "bodies.rod.elastic.amplitudes: a list of 4 is expected, this one has 2 (one for each amplitude: bending shapes first, slowest first, then axial ones)",
             ],
         ),
         (modal(0.8 * 0.0625 / 12.0, -0.4), &[no_body]),

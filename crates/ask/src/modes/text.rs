@@ -30,6 +30,9 @@ impl SmallMotions {
         let place = if self.pose { "position" } else { "equilibrium" };
         page.rows(place, found.equilibrium.iter().map(equilibrium));
         let places = found.bodies.iter().map(|(name, place)| {
+            if let Some(amplitudes) = amplitudes(name, place.map(|value| number(value, DIGITS))) {
+                return amplitudes;
+            }
             let [x, y, angle] = place.map(|value| number(value, DIGITS));
             format!("{name}: x {x} m, y {y} m, angle {angle} rad")
         });
@@ -88,7 +91,19 @@ fn shape(found: &Linearised, (k, mode): (usize, &Mode)) -> String {
         ),
     };
     let bodies = found.bodies.iter().zip(&mode.shape);
-    let bodies =
-        bodies.map(|((name, _), shape)| format!("{name} ({})", shape.map(complex).join(", ")));
+    let bodies = bodies.map(|((name, _), shape)| {
+        let shape = shape.map(complex);
+        amplitudes(name, shape.clone()).unwrap_or_else(|| format!("{name} ({})", shape.join(", ")))
+    });
     format!("{}: {}", k + 1, bodies.collect::<Vec<_>>().join(", "))
+}
+
+/// What is said of two amplitudes of an elastic link, `rod.q1-q2`; nothing of a body.
+fn amplitudes(name: &str, values: [String; 3]) -> Option<String> {
+    let (link, modes) = name.split_once(".q")?;
+    let modes = modes.split('-').map(|mode| mode.trim_start_matches('q'));
+    let all = modes
+        .zip(values)
+        .map(|(mode, value)| format!("q{mode} {value} m"));
+    Some(format!("{link}: {}", all.collect::<Vec<_>>().join(", ")))
 }

@@ -595,6 +595,27 @@ mod tests {
         assert!((divided[1] / known[1] - 1.0).abs() < 1e-8, "{divided:?}");
     }
 
+    /// Symmetric modes of a pinned bar with a hinge in the middle: tan βl − tanh βl = 4 k/(EI β), l = L/2, by bisection.
+    #[test]
+    fn a_hinge_lowers_frequencies_as_is_known() {
+        let hinged = Place {
+            hinge: Some(4.0),
+            ..at(1.0)
+        };
+        let own = frequencies(&bar(true, 2, vec![at(0.0), hinged, at(2.0)]))[0].sqrt() / 2.0;
+        let off = |beta: f64| beta.tan() - beta.tanh() - 4.0 * 4.0 / (3.0 * beta);
+        let (mut low, mut high) = (0.1, PI / 2.0 - 1e-9);
+        for _ in 0..100 {
+            let middle = (low + high) / 2.0;
+            if off(middle) < 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        assert!((own / low - 1.0).abs() < 1e-9, "{own} {low}");
+    }
+
     #[test]
     fn static_shapes_carry_loads_exactly() {
         // A pinned bar with a load at a: w = P a² b²/(3 EI L).

@@ -4,7 +4,7 @@ use super::{Rules, sections};
 use crate::display::number;
 use crate::elastic::{ElasticLink, ModalData};
 use crate::error::Complaint;
-use crate::{Body, JointKind, suggest};
+use crate::{Body, JointKind, SectionShape, suggest};
 
 /// Masses and places that differ by less are the same, relative to the bar's.
 const SAME: f64 = 1e-6;
@@ -37,6 +37,7 @@ pub(super) fn links(rules: &mut Rules<'_>) {
             if let Some(axis) = axis {
                 points(rules, name, body, axis);
                 slender(rules, &path, elastic, axis);
+                cracks(rules, &path, elastic, axis);
             }
         }
         let known = ["mass", "inertia", "com", "points"]
@@ -92,6 +93,7 @@ fn belongs(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink) -> bool {
         ("frame", elastic.frame.is_some()),
         ("axial", elastic.axial.is_some()),
         ("foreshortening", elastic.foreshortening.is_some()),
+        ("cracks", elastic.cracks.is_some()),
     ];
     let of_start = [
         ("amplitudes", elastic.amplitudes.is_some()),
@@ -164,6 +166,31 @@ fn made_of(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink) {
             format!("it is not known what the link is made of: {key:?} is missing"),
             "add \"material\": \"steel\", or \"young_modulus\": \"210 GPa\" and \"density\": \"7850 kg/m^3\"",
         );
+    }
+}
+
+/// Cracks are in a rectangle, between its ends.
+fn cracks(rules: &mut Rules<'_>, path: &str, elastic: &ElasticLink, [from, to]: [[f64; 2]; 2]) {
+    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let Some(cracks) = &elastic.cracks else {
+        return;
+    };
+    if !matches!(elastic.section, Some(SectionShape::Rectangle { .. })) {
+        rules.complain(
+            format!("{path}.cracks"),
+            "how much a crack yields is known of a rectangle alone",
+            "give the \"section\" as a \"rectangle\"",
+        );
+    }
+    for (index, crack) in cracks.iter().enumerate() {
+        if crack.at >= length {
+            let length = rules.model.display.length_to(length, 5);
+            rules.complain(
+                format!("{path}.cracks[{index}].at"),
+                format!("the link ends at {length}"),
+                "give the place of the crack between both ends",
+            );
+        }
     }
 }
 

@@ -56,7 +56,9 @@ pub(super) fn measures(rules: &mut Rules<'_>) {
 
 /// What is measured is between two bodies.
 fn apart(rules: &mut Rules<'_>, path: &str, first: &PointRef, second: &PointRef) {
-    if first.body == second.body {
+    let bends = rules.model.bodies.get(&first.body);
+    let bends = bends.is_some_and(|body| body.elastic.is_some());
+    if first.body == second.body && !bends {
         let message = format!("both are of {:?}", first.body);
         let hint = "what is measured within a body does not depend on the mechanism";
         rules.complain(path, message, hint);

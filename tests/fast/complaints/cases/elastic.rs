@@ -43,7 +43,7 @@ pub const CASES: &[Case] = &[
             r#"line 10, column 29: bodies.coupler.elastic: "from" is missing (as in "from": "A")"#,
             r#"line 10, column 29: bodies.coupler.elastic: "to" is missing (as in "to": "B")"#,
             r#"line 10, column 29: bodies.coupler.elastic: "section" is missing (how stiff it is: by a "section" and a "material", by "bending_stiffness" and "mass_per_length", or by "modal" data)"#,
-            r#"line 10, column 59: bodies.coupler.elastic.poisson_ratio: "poisson_ratio": unknown key (known keys: from, to, section, material, young_modulus, density, bending_stiffness, axial_stiffness, mass_per_length, modal, modes, elements, frame, axial, foreshortening, damping, amplitudes, rates, note)"#,
+            r#"line 10, column 59: bodies.coupler.elastic.poisson_ratio: "poisson_ratio": unknown key (known keys: from, to, section, material, young_modulus, density, bending_stiffness, axial_stiffness, mass_per_length, modal, modes, elements, frame, axial, cracks, foreshortening, damping, amplitudes, rates, note)"#,
         ],
     },
     Case {
@@ -710,14 +710,49 @@ pub const CASES: &[Case] = &[
         ],
     },
     Case {
-        what: "elastic link with a cross-section for internal forces",
+        what: "internal forces of a chain of elements",
         edits: &[(
             r#""coupler": { "#,
-            r#""coupler": { "elastic": { "from": "A", "to": "B", "section": { "type": "circle", "diameter": 6 }, "material": "steel" }, "section": { "from": "A", "to": "B", "type": "circle", "diameter": 6 }, "#,
+            r#""coupler": { "elastic": { "from": "A", "to": "B", "section": { "type": "circle", "diameter": 6 }, "material": "steel", "elements": 8 }, "section": { "from": "A", "to": "B", "type": "circle", "diameter": 6 }, "#,
         )],
         sets: &[],
         complaints: &[
-            r#"line 10, column 137: bodies.coupler.section: the internal forces of an elastic link are not among the results (leave out "section", or "elastic" to have those of the rigid link)"#,
+            r#"line 10, column 152: bodies.coupler.section: the internal forces of a chain of elements are not computed (leave out "section", or describe the elastic link by a cross-section and "modes")"#,
+        ],
+    },
+    Case {
+        what: "internal forces along another axis than that of the elastic link",
+        edits: &[(
+            r#""coupler": { "#,
+            r#""coupler": { "elastic": { "from": "A", "to": "B", "section": { "type": "circle", "diameter": 6 }, "material": "steel" }, "section": { "from": "B", "to": "A", "type": "circle", "diameter": 6 }, "#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 10, column 137: bodies.coupler.section: the axis of "section" is not that of "elastic" (give both the same "from" and "to")"#,
+        ],
+    },
+    Case {
+        what: "cracks in a circle, and beyond the end",
+        edits: &[(
+            r#""coupler": { "#,
+            r#""coupler": { "elastic": { "from": "A", "to": "B", "section": { "type": "circle", "diameter": 6 }, "material": "steel", "cracks": [{ "at": 900, "depth": 0.2 }] }, "#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 10, column 134: bodies.coupler.elastic.cracks: how much a crack yields is known of a rectangle alone (give the "section" as a "rectangle")"#,
+            r#"line 10, column 143: bodies.coupler.elastic.cracks[0].at: 900: the link ends at 250 mm (give the place of the crack between both ends)"#,
+        ],
+    },
+    Case {
+        what: "crack deeper than is known of, and without a place",
+        edits: &[(
+            r#""coupler": { "#,
+            r#""coupler": { "elastic": { "from": "A", "to": "B", "section": { "type": "rectangle", "width": 6, "height": 6 }, "material": "steel", "cracks": [{ "at": 90, "depth": 0.7 }, { "depth": 0.1 }] }, "#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 10, column 169: bodies.coupler.elastic.cracks[0].depth: 0.7: must not be greater than 0.6"#,
+            r#"line 10, column 176: bodies.coupler.elastic.cracks[1]: "at" is missing (as in "at": "60 mm")"#,
         ],
     },
 ];

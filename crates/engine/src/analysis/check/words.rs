@@ -64,7 +64,10 @@ pub fn words(model: &Model, undriven: Option<&Undriven>, check: &Check) -> Strin
     };
     text += &missing_drivers(undriven, check, count);
     let held = freedom == count && !journals_move(model);
-    if held && freedom > 0 {
+    let bends = model.bodies.values().any(|body| body.elastic.is_some());
+    if bends {
+        text += "; its elastic links bend in dynamics, statics and modes";
+    } else if held && freedom > 0 {
         text += "; forward dynamics has nothing free";
     }
     if let Some(Open { joints, mobility }) = &check.open {

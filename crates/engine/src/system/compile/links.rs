@@ -8,7 +8,7 @@ use linkdyn_linear::math::{Vec2, unit};
 use linkdyn_model::error::Complaint;
 use linkdyn_model::{
     Body, DriverKind, ElasticFrame, ElasticLink, GROUND, Joint, JointKind, ModalData, Model,
-    PointRef,
+    PointRef, SectionShape,
 };
 use nalgebra::DMatrix;
 use std::collections::HashMap;
@@ -121,7 +121,7 @@ fn made(
                 rotary: bar.rotary,
                 is_chord: elastic.frame != Some(ElasticFrame::Tangent),
                 modes: elastic.modes.unwrap_or(2),
-                places: places(model, name, body, &along, length),
+                places: with_cracks(places(model, name, body, &along, length), elastic, length),
             };
             let shapes = bar.shapes().ok_or_else(|| {
                 Complaint::new(
@@ -167,11 +167,9 @@ fn made(
         if let Some(list) = list.as_ref().filter(|list| list.len() != n) {
             return Err(Complaint::new(
                 format!("{path}.{key}"),
-                format!("{} numbers for {n} amplitudes", list.len()),
+                format!("a list of {n} is expected, this one has {}", list.len()),
             )
-            .hint(
-                "give one for each amplitude: bending shapes first, slowest first, then axial ones",
-            ));
+            .hint("one for each amplitude: bending shapes first, slowest first, then axial ones"));
         }
     }
     let Some(points) = points::points(&modal) else {
@@ -257,6 +255,37 @@ fn places(
             hinge: None,
         })
         .collect()
+}
+
+/// Places on a bar with its cracks, which are hinges.
+fn with_cracks(mut places: Vec<Place>, elastic: &ElasticLink, length: f64) -> Vec<Place> {
+    let Some(SectionShape::Rectangle { width, height }) = elastic.section else {
+        return places;
+    };
+    for crack in elastic.cracks.iter().flatten() {
+        let young = elastic.young().unwrap_or(0.0);
+        let compliance = 1.0 / crack.stiffness(young, [width, height]);
+        let near = |place: &Place| (place.x - crack.at).abs() < 1e-9 * length;
+        let index = match places.iter().position(near) {
+            Some(index) => index,
+            None => {
+                let index = places.iter().filter(|place| place.x < crack.at).count();
+                let x = crack.at;
+                places.insert(
+                    index,
+                    Place {
+                        x,
+                        ..Place::default()
+                    },
+                );
+                index
+            }
+        };
+        // Of two in one place each yields.
+        let before = places[index].hinge.map_or(0.0, |hinge| 1.0 / hinge);
+        places[index].hinge = Some(1.0 / (before + compliance));
+    }
+    places
 }
 
 /// Whether nothing at a point asks how its section turns: ideal pins without friction alone are there.
