@@ -1,8 +1,11 @@
 //! How elastic links look: places of their axes by the columns of results.
 
+use super::assembly::{assemble, velocities};
+use crate::element::coordinate::Coordinate;
 use crate::element::station::CarriedSection;
-use crate::system::{System, compile::compile};
-use linkdyn_linear::math::Vec2;
+use crate::element::{Axis, BodyId, Marker, Pose};
+use crate::system::{BodyPart, Inputs, System, compile::compile};
+use linkdyn_linear::math::{Vec2, perp};
 use linkdyn_model::display::number;
 use linkdyn_model::{AnalysisKind, Checked};
 use linkdyn_output::Trajectory;
@@ -126,4 +129,80 @@ pub(super) fn warnings(system: &System, rows: &Trajectory, steps: usize) -> Vec<
         }
     }
     said
+}
+
+/// The system of a model as it starts: chains of elements are straight and move as the rigid links do, from where the rigid mechanism is.
+/// Else closing the loops would bend them in their last element, and a motion would begin with a blow.
+pub(super) fn straightened(model: &Checked, mut system: System) -> System {
+    let is_node = |part: BodyPart| matches!(part, BodyPart::Node(_));
+    if !system.bodies.iter().any(|body| is_node(body.part())) {
+        return system;
+    }
+    // What does not assemble is left to the elastic mechanism, which says so.
+    let Ok(rigid) = compile(model, AnalysisKind::Assembly) else {
+        return system;
+    };
+    let inputs = Inputs::at_time(&rigid, 0.0);
+    let start = assemble(&rigid, &inputs)
+        .and_then(|found| Ok((velocities(&rigid, &found.q, &inputs)?, found.q)));
+    let Ok((v, q)) = start else {
+        return system;
+    };
+    let own: Vec<(usize, Pose, Pose)> = rigid
+        .bodies
+        .iter()
+        .enumerate()
+        .map(|(k, body)| {
+            let place = |system: &System, values: &[f64], origin: Vec2| {
+                let [x, y, theta] = system.layout.moving(k).read(values);
+                let pose = Pose::new(x, y, theta);
+                Pose::new(x + pose.turn(origin).x, y + pose.turn(origin).y, theta)
+            };
+            let drawn = place(&system, &system.guess, system.bodies[k].origin);
+            (k, drawn, place(&rigid, &q, body.origin))
+        })
+        .collect();
+    for (k, drawn, found) in own {
+        let [vx, vy, omega] = rigid.layout.moving(k).read(&v);
+        let centre = found.r - found.turn(rigid.bodies[k].origin);
+        let name = rigid.bodies[k].name.clone();
+        for (index, columns) in
+            (0..system.bodies.len()).map(|index| (index, system.layout.moving(index)))
+        {
+            let body = &system.bodies[index];
+            if body.link() != name || matches!(body.part(), BodyPart::Amplitudes { .. }) {
+                continue;
+            }
+            let [x, y, theta] = columns.read(&system.guess);
+            let off =
+                Pose::new(0.0, 0.0, found.theta - drawn.theta).turn(Vec2::new(x, y) - drawn.r);
+            let place = found.r + off;
+            columns.write(
+                &mut system.guess,
+                [place.x, place.y, theta + found.theta - drawn.theta],
+            );
+            if is_node(body.part()) {
+                let moved = perp(place - centre) * omega;
+                let origin = Marker {
+                    body: BodyId::moving(index),
+                    s: Vec2::zeros(),
+                };
+                for (axis, value) in [
+                    (Axis::X, vx + moved.x),
+                    (Axis::Y, vy + moved.y),
+                    (Axis::Theta, omega),
+                ] {
+                    let rate = Coordinate {
+                        origin,
+                        axis,
+                        value,
+                        drive: None,
+                    };
+                    let name = format!("{}.{axis:?}", body.name);
+                    system.initial_rates.push((name, rate));
+                }
+            }
+        }
+    }
+    system
 }

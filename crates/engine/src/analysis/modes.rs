@@ -10,6 +10,7 @@
 //! is linearised there is the motion relative to the one that the unbalanced forces begin.
 
 use super::assembly::Assembled;
+use super::bent::straightened;
 use super::control::{Control, Stop};
 use super::equilibrium::{balance, start};
 use super::statics::{described, refuse, warning};
@@ -83,7 +84,7 @@ impl Mode {
 /// # Errors
 /// Faults of the input; everything else ends in the status.
 pub fn modes(model: &Checked, pose: bool, control: &Control) -> Result<Linearised, Complaints> {
-    let system = compile_about_rest(model)?;
+    let system = straightened(model, compile_about_rest(model)?);
     match linearise(&system, pose, control) {
         Ok(found) => Ok(found),
         Err(Stop::Input(complaints)) => Err(complaints.into()),

@@ -1,5 +1,6 @@
 //! From a model to a trajectory and a report.
 
+use super::bent::straightened;
 use super::channels::{Channels, Contents};
 use super::control::{Control, Stop};
 use super::derived_columns::{DerivedColumns, DerivedSelection};
@@ -64,6 +65,7 @@ impl Prepared {
         let unheld = unheld(model);
         let loose = |complaints| with(complaints, unheld.as_ref());
         let system = compile(model, analysis.kind).map_err(loose)?;
+        let system = straightened(model, system);
         let question = Question::new(&system, analysis);
         let question = question.map_err(|complaint| loose(complaint.into()))?;
         one_freedom(&system).map_err(|complaint| loose(complaint.into()))?;
