@@ -108,8 +108,7 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
     let body = |name: &str| Body {
         name: name.into(),
         points: vec![("A".into(), 0.0, 0.0), ("B".into(), 0.1, 0.0)],
-        com: None,
-        section: None,
+        ..Body::default()
     };
     let mut shape = Shape {
         bodies: vec![body("ground")],

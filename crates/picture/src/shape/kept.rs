@@ -184,8 +184,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             .iter()
             .map(|[x, y]| (String::new(), *x, *y))
             .collect(),
-        com: None,
-        section: None,
+        ..Body::default()
     };
     Ok(Shape {
         joints: drawing
