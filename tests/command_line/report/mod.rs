@@ -1,6 +1,7 @@
 //! `report.html`: what stands in the file, and what a browser makes of it.
 
 mod answers;
+mod bent;
 mod beside;
 mod curves;
 mod drawing;

@@ -50,6 +50,9 @@ pub struct Bending {
     pub moves: Vec<Vec<[f64; 2]>>,
     /// The curvature that each amplitude gives to each of them [1/m²]; empty where it is not known.
     pub curvatures: Vec<Vec<f64>>,
+    /// Where the amplitudes are among the poses of a small motion: the number of a pose, and which of its numbers.
+    #[serde(skip)]
+    pub amplitudes: Vec<[usize; 2]>,
 }
 
 impl Bending {

@@ -38,7 +38,7 @@
     }
     const about = SHARE / share, power = 10 ** Math.floor(Math.log10(about));
     found = { factor: about > 1 && Number.isFinite(about) ? [5, 2, 1].map((n) => n * power).find((n) => n <= about) || power : 1, curvature };
-    options[0].textContent = `enlarged ${units.number(found.factor)} ×`;
+    options[0].textContent = `enlarged × ${units.number(found.factor)}`;
     chosen.hidden = found.factor === 1;
     return found;
   };
