@@ -1,19 +1,35 @@
 //! The shape of a model as it is drawn: with the profiles of its cams, and what its loads are over time.
 
-use linkdyn_engine::analysis::{Outcome, derived};
+use linkdyn_engine::analysis::{Outcome, bent_axes, derived};
 use linkdyn_engine::system::compile::profiles;
 use linkdyn_model::Checked;
 use linkdyn_output::{BodyQuantity, Channel, Column, TIME, Table, Trajectory};
-use linkdyn_picture::Shape;
 use linkdyn_picture::poses::Pose;
+use linkdyn_picture::shape::{Bending, Shape};
 use linkdyn_picture::study_page::Motion;
 
-/// The shape of a model, with the profiles of its cams.
+/// The shape of a model, with the profiles of its cams and how its elastic links bend.
 pub fn with_profiles(model: &Checked) -> Shape {
     let mut shape = Shape::of_model(model);
     for profile in profiles(model) {
         let outline = profile.rows.iter().map(|row| [row[1], row[2]]);
         shape.take_profile(profile.joint, outline.collect(), profile.reach);
+    }
+    if model.bodies.values().all(|body| body.elastic.is_none()) {
+        return shape;
+    }
+    let axes = bent_axes(model).into_iter();
+    // Of modal data no axis is known.
+    for axis in axes.filter(|axis| axis.places.len() > 1) {
+        let body = shape.bodies.iter_mut().find(|body| body.name == axis.body);
+        if let Some(body) = body {
+            body.bending = Some(Bending {
+                places: axis.places,
+                moves: axis.moves,
+                curvatures: axis.curvatures,
+                ..Bending::default()
+            });
+        }
     }
     shape
 }

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use super::fault::Fault;
 use super::mechanism::Mechanism;
 use super::poses::{Pose, Poses, global};
-use super::shape::Shape;
+use super::shape::{Body, Shape};
 use super::{played, sheet};
 
 /// Largest rotation \[rad\], and largest displacement of a point as a part of the mechanism's size.
@@ -123,6 +123,18 @@ fn moved(rest: &[Pose], swing: &Swing, [re, im]: [f64; 2]) -> Vec<Pose> {
     poses
 }
 
+/// How far a place of a link that bends moves in its body.
+fn deflection(body: &Body, moves: &[[f64; 2]], swing: &Swing) -> f64 {
+    let amplitudes = body.bending.iter().flat_map(|own| &own.amplitudes);
+    let mut far = 0.0_f64;
+    for ([of, k], [x, y]) in amplitudes.zip(moves) {
+        let of = of.checked_sub(1).and_then(|number| swing.shape.get(number));
+        let [re, im] = of.map_or([0.0; 2], |shape| shape[*k]);
+        far += re.hypot(im) * x.hypot(*y);
+    }
+    far
+}
+
 /// The factor with which a shape is drawn.
 fn amplitude(shape: &Shape, rest: &[Pose], swing: &Swing) -> f64 {
     let mut low = [f64::INFINITY; 2];
@@ -132,6 +144,9 @@ fn amplitude(shape: &Shape, rest: &[Pose], swing: &Swing) -> f64 {
         let motion = body
             .checked_sub(1)
             .and_then(|number| swing.shape.get(number));
+        for moves in drawn.bending.iter().flat_map(|bending| &bending.moves) {
+            way = way.max(deflection(drawn, moves, swing));
+        }
         let [x, y, angle] = motion.copied().unwrap_or_default();
         turn = turn.max(angle[0].hypot(angle[1]));
         let origin = [pose[0], pose[1]];

@@ -1,6 +1,7 @@
 //! `report.html`: what stands in the file, and what a browser makes of it.
 
 mod answers;
+mod bent;
 mod beside;
 mod curves;
 mod drawing;
@@ -108,8 +109,7 @@ fn large(bodies: usize, rows: usize, name: impl Fn(usize) -> String) -> String {
     let body = |name: &str| Body {
         name: name.into(),
         points: vec![("A".into(), 0.0, 0.0), ("B".into(), 0.1, 0.0)],
-        com: None,
-        section: None,
+        ..Body::default()
     };
     let mut shape = Shape {
         bodies: vec![body("ground")],

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use linkdyn_engine::analysis::Mode;
 use linkdyn_picture::Fault;
 use linkdyn_picture::poses::Pose;
+use linkdyn_picture::shape::Body;
 use linkdyn_picture::swing::{Course, SECONDS, Swing, page};
 
 use super::SmallMotions;
@@ -29,7 +30,17 @@ pub fn html(motions: &SmallMotions) -> Option<Result<String, Fault>> {
             "The amplitudes are fitted to the drawing. Each motion takes {SECONDS} s here, whatever its frequency."
         ),
     ];
-    let shape = with_profiles(motions.file.model());
+    let mut shape = with_profiles(motions.file.model());
+    for Body { name, bending, .. } in &mut shape.bodies {
+        let Some(bending) = bending else { continue };
+        let prefix = format!("{name}.q");
+        // Two amplitudes are x and y of what is listed as a body.
+        let pairs = found.bodies.iter().zip(1..);
+        let pairs = pairs.filter(|((name, _), _)| name.starts_with(&prefix));
+        let amplitudes = pairs.flat_map(|(_, pose)| [[pose, 0], [pose, 1]]);
+        let count = bending.moves.first().map_or(0, Vec::len);
+        bending.amplitudes = amplitudes.take(count).collect();
+    }
     let title = format!("{}: modes", motions.file.name());
     Some(page(&title, &facts, (&shape, &rest), &swings).map(|(html, _)| html))
 }

@@ -27,15 +27,14 @@ pub struct BentAxis {
     pub curvatures: Vec<Vec<f64>>,
 }
 
-/// The axes of the elastic links of a model, whose analysis lets them bend; none of a model that can't be run.
+/// The axes of the elastic links of a model where it may move freely, or at rest; none of a model that can't be run.
 pub fn bent_axes(model: &Checked) -> Vec<BentAxis> {
-    let kind = model.analysis.as_ref().map(|analysis| analysis.kind);
-    match kind {
-        Some(kind @ (AnalysisKind::Dynamics | AnalysisKind::Statics)) => {
-            compile(model, kind).map_or_else(|_| Vec::new(), |system| axes(&system))
-        }
-        _ => Vec::new(),
-    }
+    let kind = match model.analysis.as_ref().map(|analysis| analysis.kind) {
+        Some(AnalysisKind::Statics) => AnalysisKind::Statics,
+        // Modes move whatever the analysis asks for.
+        _ => AnalysisKind::Dynamics,
+    };
+    compile(model, kind).map_or_else(|_| Vec::new(), |system| axes(&system))
 }
 
 fn axes(system: &System) -> Vec<BentAxis> {

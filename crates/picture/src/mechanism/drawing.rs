@@ -178,8 +178,7 @@ mod tests {
         let body = |name: &str| Body {
             name: name.into(),
             points: vec![("P".into(), 0.0, 0.0)],
-            com: None,
-            section: None,
+            ..Body::default()
         };
         let mut shape = Shape {
             bodies: vec![body("ground"), body("disc")],

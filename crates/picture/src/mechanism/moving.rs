@@ -2,7 +2,7 @@
 
 use super::cylinder::Cylinders;
 use super::drivers::driver_ranges;
-use super::places::{place, turned};
+use super::places::{bent, place, turned};
 use super::view::{Extent, Frame, Margins};
 use crate::fault::Fault;
 use crate::poses::{Pose, Poses, global};
@@ -146,9 +146,12 @@ impl Mechanism {
     /// Widens extent, slides and stretches.
     fn include(&mut self, pose: &[Pose]) {
         let shape = &self.shape;
-        for (body, pose) in shape.bodies.iter().zip(pose).skip(1) {
+        for (number, (body, own)) in shape.bodies.iter().zip(pose).enumerate().skip(1) {
             for (_, x, y) in &body.points {
-                self.frame.extent.add(global(*pose, [*x, *y]), 0.0);
+                self.frame.extent.add(global(*own, [*x, *y]), 0.0);
+            }
+            for at in bent(shape, pose, number).into_iter().flatten() {
+                self.frame.extent.add(at, 0.0);
             }
         }
         for (spring, stretch) in shape.springs.iter().zip(&mut self.stretches) {

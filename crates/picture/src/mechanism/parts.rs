@@ -1,7 +1,7 @@
 //! Parts: a sign, what it stands at, what it turns with.
 
 use super::moving::Mechanism;
-use super::places::{place, turned};
+use super::places::{bent, place, turned};
 use super::view::View;
 use crate::poses::{Pose, global};
 use crate::scene::{Place, Scene};
@@ -242,7 +242,12 @@ impl Part {
             strength,
         };
         let points = &mechanism.shape.bodies[self.body].points;
+        let bent = bent(&mechanism.shape, pose, self.body).unwrap_or_default();
+        let axis: Vec<Place> = bent.into_iter().map(|at| view.place(at)).collect();
         for stroke in &self.sign {
+            if seat.draw_bent(scene, stroke, &axis) {
+                continue;
+            }
             let corners = points.iter().map(|(_, x, y)| metres(*x, *y));
             seat.draw(scene, stroke, corners, |body| pose[body][2]);
         }

@@ -15,6 +15,8 @@ use linkdyn_model::Model;
 use linkdyn_output::{Summary, Trajectory};
 
 const BODY: &str = include_str!("page.html");
+/// What only pages need on which links bend.
+const BENT: &str = include_str!("js/bent.js");
 /// In the order in which they build on each other.
 pub const SCRIPTS: &[&str] = &[
     include_str!("js/data.js"),
@@ -25,6 +27,7 @@ pub const SCRIPTS: &[&str] = &[
     include_str!("js/labels.js"),
     include_str!("js/forces.js"),
     include_str!("js/moments.js"),
+    BENT,
     include_str!("js/stage.js"),
     include_str!("js/mini.js"),
     include_str!("js/choices.js"),
@@ -94,7 +97,8 @@ impl<'a> Report<'a> {
     /// # Errors
     /// Those of `out`.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        let page = around();
+        let bends = self.shape.bodies.iter().any(|body| body.bending.is_some());
+        let page = with_scripts(bends);
         self.fill(&page.each_ref().map(String::as_str), out)
     }
 
@@ -177,11 +181,17 @@ impl<'a> Report<'a> {
 
 /// The page around its data, which are JSON that is escaped, and its values: for a page that holds it in a frame and hands data over.
 pub fn around() -> [String; 3] {
+    with_scripts(true)
+}
+
+fn with_scripts(bends: bool) -> [String; 3] {
+    let scripts = SCRIPTS.iter().copied();
+    let scripts: Vec<&str> = scripts.filter(|text| bends || *text != BENT).collect();
     Live {
         title: "linkdyn report",
         style: "",
         body: BODY,
-        scripts: SCRIPTS,
+        scripts: &scripts,
         data: "",
         values: "",
     }

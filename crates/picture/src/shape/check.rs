@@ -2,7 +2,7 @@
 
 use super::joint::JointKind;
 use super::numbers::PointId;
-use super::parts::{DriverKind, Shape};
+use super::parts::{Bending, DriverKind, Shape};
 use crate::fault::Fault;
 
 /// Most parts of a kind, and points of a body, that are drawn.
@@ -47,6 +47,12 @@ impl Shape {
         if self.named_joints().any(|joint| joint >= self.joints.len()) {
             return fault(format!(
                 "the key {key:?} names a joint that it does not have"
+            ));
+        }
+        let mut bending = self.bodies.iter().filter_map(|body| body.bending.as_ref());
+        if !bending.all(Bending::is_whole) {
+            return fault(format!(
+                "the key {key:?} has a link whose places and deflections do not belong together"
             ));
         }
         if self

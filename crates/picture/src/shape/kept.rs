@@ -184,8 +184,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
             .iter()
             .map(|[x, y]| (String::new(), *x, *y))
             .collect(),
-        com: None,
-        section: None,
+        ..Body::default()
     };
     Ok(Shape {
         joints: drawing
@@ -211,6 +210,7 @@ fn of_drawing(drawing: Drawing) -> Result<Shape, Fault> {
 #[cfg(test)]
 mod tests {
     use super::super::check::MOST;
+    use super::super::parts::Bending;
     use super::*;
     use serde_json::json;
 
@@ -292,6 +292,13 @@ mod tests {
         };
         assert!(refused(&|shape| shape.loads[0].body = 9).contains("a body that"));
         assert!(refused(&|shape| shape.points.push((0, 1))).contains("a point that"));
+        let bending = Bending {
+            places: vec![[0.0, 0.0], [1.0, 0.1]],
+            moves: vec![vec![[0.0, 0.0]]],
+            ..Bending::default()
+        };
+        let said = refused(&|shape| shape.bodies[1].bending = Some(bending.clone()));
+        assert!(said.contains("places and deflections"), "{said}");
         assert!(
             refused(&|shape| shape.drivers[0].kind =
                 super::super::parts::DriverKind::Translation { joint: 1 })

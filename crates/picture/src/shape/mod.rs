@@ -23,4 +23,4 @@ mod parts;
 
 pub use joint::{Clearance, Joint, JointKind, PitchCircles, PitchLine, Profile, Pulleys};
 pub use numbers::PointId;
-pub use parts::{Body, Driver, DriverKind, Load, Shape, Spring, TorsionSpring};
+pub use parts::{Bending, Body, Driver, DriverKind, Load, Shape, Spring, TorsionSpring};

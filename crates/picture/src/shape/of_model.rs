@@ -135,6 +135,7 @@ fn bodies(model: &Model) -> Vec<Body> {
                 .and_then(|body| body.com)
                 .filter(|_| model.bodies.len() <= MANY),
             section,
+            bending: None,
         }
     };
     names(model).map(body_of).collect()

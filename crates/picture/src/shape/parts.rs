@@ -36,6 +36,36 @@ pub struct Body {
     /// Numbers of the points between which the axis of its cross-section lies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub section: Option<[usize; 2]>,
+    /// How it bends, of an elastic link.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bending: Option<Bending>,
+}
+
+/// How the axis of an elastic link bends, to first order.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct Bending {
+    /// Places along it in the frame of the body \[m\].
+    pub places: Vec<[f64; 2]>,
+    /// How each of them moves by each amplitude of the link, `rod.q1` and so on [–].
+    pub moves: Vec<Vec<[f64; 2]>>,
+    /// The curvature that each amplitude gives to each of them [1/m²]; empty where it is not known.
+    pub curvatures: Vec<Vec<f64>>,
+    /// Where the amplitudes are among the poses of a small motion: the number of a pose, and which of its numbers.
+    #[serde(skip)]
+    pub amplitudes: Vec<[usize; 2]>,
+}
+
+impl Bending {
+    /// Whether there is one number of each kind for each place and amplitude.
+    pub(super) fn is_whole(&self) -> bool {
+        let places = self.places.len();
+        let amplitudes = self.moves.first().map_or(0, Vec::len);
+        places > 1
+            && self.moves.len() == places
+            && self.moves.iter().all(|by| by.len() == amplitudes)
+            && [0, places].contains(&self.curvatures.len())
+            && self.curvatures.iter().all(|by| by.len() == amplitudes)
+    }
 }
 
 /// A spring, damper or actuator between two points.

@@ -3,7 +3,7 @@
 use super::{Colour, Corner, Edge, Outline, Paint, Stroke, bars};
 use crate::palette;
 use crate::scene::{Ink, Pen, Place, Scene};
-use crate::symbols::rounded_hull;
+use crate::symbols::{ribbon, rounded_hull};
 
 /// Corners of a coil.
 const PIECES: usize = 60;
@@ -124,6 +124,20 @@ impl Seat {
 }
 
 impl Seat {
+    /// Draws the stroke that is a body about an axis which bends; whether it is one, and there is an axis.
+    pub fn draw_bent(&self, scene: &mut Scene, stroke: &Stroke, axis: &[Place]) -> bool {
+        let Outline::Body(radius) = stroke.outline else {
+            return false;
+        };
+        if axis.len() > 1 {
+            let fill = stroke.fill.map(|paint| self.ink(paint));
+            let pen = stroke.edge.map(|edge| self.pen(edge));
+            let outline = ribbon(axis, radius * self.bar[0]);
+            scene.area(stroke.class, outline, fill, pen);
+        }
+        axis.len() > 1
+    }
+
     fn draw_ground(&self, scene: &mut Scene, [from, to]: [Place; 2], strokes: usize, pen: Pen) {
         let wide = |factor: f64| Pen {
             width: factor * pen.width,

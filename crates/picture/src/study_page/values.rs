@@ -122,8 +122,7 @@ mod tests {
         let body = |name: &str, x: f64| Body {
             name: name.into(),
             points: vec![("A".into(), x, 0.0)],
-            com: None,
-            section: None,
+            ..Body::default()
         };
         Motion {
             variant,

@@ -1,5 +1,7 @@
 //! Outlines of bodies: convex hulls with rounded corners.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use crate::scene::Place;
 
 /// Corners of an arc of a rounded hull \[rad\].
@@ -33,6 +35,30 @@ pub fn rounded_hull(corners: &[Place], radius: f64) -> Vec<Place> {
     outline
 }
 
+/// The outline at distance `radius` around a line that bends a little.
+pub fn ribbon(axis: &[Place], radius: f64) -> Vec<Place> {
+    let last = axis.len().saturating_sub(1);
+    let angle = |k: usize| {
+        let [from, to] = [axis[k.saturating_sub(1)], axis[(k + 1).min(last)]];
+        (to[1] - from[1]).atan2(to[0] - from[0])
+    };
+    let at = |k: usize, turn: f64| {
+        let (sin, cos) = (angle(k) + turn).sin_cos();
+        [axis[k][0] + radius * cos, axis[k][1] + radius * sin]
+    };
+    let steps = (PI / ARC_STEP).ceil() as usize;
+    let around = |k: usize, start: f64| {
+        let turn = move |step: usize| start + PI * step as f64 / steps as f64;
+        (0..=steps).map(move |step| at(k, turn(step)))
+    };
+    // Along one side, around the end, back along the other, around the beginning.
+    let ahead = (1..last).map(|k| at(k, -FRAC_PI_2));
+    let back = (1..last).rev().map(|k| at(k, FRAC_PI_2));
+    let ends = [around(last, -FRAC_PI_2), around(0, FRAC_PI_2)];
+    let [end, beginning] = ends;
+    ahead.chain(end).chain(back).chain(beginning).collect()
+}
+
 /// Convex hull, each corner once, anticlockwise in axes with y upwards (Andrew 1979).
 pub fn hull(places: &[Place]) -> Vec<Place> {
     let mut sorted = places.to_vec();
@@ -63,6 +89,20 @@ pub fn hull(places: &[Place]) -> Vec<Place> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_ribbon_is_everywhere_as_far_from_its_axis() {
+        let axis = [0.0, 1.0, 2.0, 3.0].map(|x| [x, 0.1 * x * x]);
+        let outline = ribbon(&axis, 0.5);
+        for place in &outline {
+            let far = axis.map(|at| (place[0] - at[0]).hypot(place[1] - at[1]));
+            let nearest = far.into_iter().fold(f64::INFINITY, f64::min);
+            assert!((nearest - 0.5).abs() < 1e-12, "{place:?}: {nearest}");
+        }
+        let edges = outline.iter().zip(outline.iter().cycle().skip(1));
+        let area: f64 = edges.map(|(a, b)| (a[0] * b[1] - a[1] * b[0]) / 2.0).sum();
+        assert!((area - (3.13 + 0.78)).abs() < 0.05, "{area}");
+    }
 
     #[test]
     fn a_hull_leaves_inner_places_out() {

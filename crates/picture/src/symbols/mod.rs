@@ -15,7 +15,7 @@ pub use arrow::{HEAD, arrow, force_arrows, round_arrow};
 pub use belt::{belt, pulley};
 pub use cylinder::{barrel, piston, rod};
 pub use ground::{hatched_line, rails, support};
-pub use hull::{hull, rounded_hull};
+pub use hull::{hull, ribbon, rounded_hull};
 pub use line::{BLOCK, block, centre_of_mass, slot};
 pub use marker::marker;
 pub use rack::Rack;
