@@ -183,6 +183,9 @@ impl Mesh<'_> {
     }
 }
 
+/// w, w′, w″ of bending shapes and u, u′ of axial ones.
+type BarJets = (Vec<[f64; 3]>, Vec<[f64; 2]>);
+
 /// The shapes of a bar.
 pub struct Shapes {
     bar: Bar,
@@ -375,13 +378,13 @@ impl Shapes {
         let samples: Vec<(usize, f64, f64, f64)> = (0..mesh.spans())
             .flat_map(|span| mesh.samples(span))
             .collect();
-        let jets: Vec<(Vec<[f64; 3]>, Vec<[f64; 2]>)> = samples
+        let jets: Vec<BarJets> = samples
             .iter()
             .map(|(span, xi, x, _)| (self.bent(&mesh.jets(*span, *xi)), bar.stretches(*x)))
             .collect();
         let all = n + bar.stretches(0.0).len();
         // Displacements of a shape at a sample: along and across.
-        let shape = |(bent, stretched): &(Vec<[f64; 3]>, Vec<[f64; 2]>), k: usize| match k < n {
+        let shape = |(bent, stretched): &BarJets, k: usize| match k < n {
             true => Vec2::new(0.0, bent[k][0]),
             false => Vec2::new(stretched[k - n][0], 0.0),
         };
