@@ -1,6 +1,8 @@
 //! How elastic links look: places of their axes by the columns of results.
 
-use crate::system::{System, compile::compile};
+use crate::element::Pose;
+use crate::system::{BodyPart, System, compile::compile};
+use linkdyn_linear::math::Vec2;
 use linkdyn_model::{AnalysisKind, Checked};
 
 /// The axis of an elastic link, by result columns: its places are at `place` + Σ `moves` · amplitude in the frame of the body, to first
@@ -56,5 +58,26 @@ fn axes(system: &System) -> Vec<BentAxis> {
             curvatures: axis.curvatures.clone(),
         }
     };
-    system.axes.iter().map(axis).collect()
+    let chains = (0..system.bodies.len()).filter_map(|body| chain(system, body));
+    system.axes.iter().map(axis).chain(chains).collect()
+}
+
+/// The axis of a chain, whose parts behind the first have results of their own, `rod.node1`; as it is drawn it is straight.
+fn chain(system: &System, body: usize) -> Option<BentAxis> {
+    let own = &system.bodies[body];
+    let place = |body: usize| Vec2::new(system.guess[3 * body], system.guess[3 * body + 1]);
+    let back = Pose::new(0.0, 0.0, -system.guess[3 * body + 2]);
+    let nodes = system.bodies.iter().enumerate();
+    let nodes = nodes
+        .filter(|(_, node)| matches!(node.part, BodyPart::Node(_)) && node.link == own.name)
+        .map(|(node, _)| (back.turn(place(node) - place(body)) - own.origin).into());
+    let first: [f64; 2] = (-own.origin).into();
+    let places: Vec<[f64; 2]> = std::iter::once(first).chain(nodes).collect();
+    (own.part == BodyPart::Own && places.len() > 1).then(|| BentAxis {
+        body: own.name.clone(),
+        amplitudes: Vec::new(),
+        moves: vec![Vec::new(); places.len()],
+        places,
+        curvatures: Vec::new(),
+    })
 }
