@@ -41,3 +41,24 @@ fn an_elastic_link_bends() {
         assert_eq!(told[key]["text"], text, "{told:#}");
     }
 }
+
+#[test]
+fn chains_have_places_and_modes_bend_links() {
+    let scratch = Scratch::new("bent-chain");
+    let file = scratch.0.join("strip.json");
+    let chain = STRIP.replace(r#""frame": "tangent", "modes": 2"#, r#""elements": 4"#);
+    fs::write(&file, chain).expect("written");
+    let (page, ..) = run(&[file.to_str().expect("a path")]);
+    let bending = &data(&page)["mechanism"]["bodies"][1]["bending"];
+    let places = json!([[0.0, 0.0], [0.25, 0.0], [0.5, 0.0], [0.75, 0.0], [1.0, 0.0]]);
+    assert_eq!(bending["places"], places);
+
+    fs::write(&file, STRIP).expect("written");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkdyn"));
+    command.arg("modes").arg(&file).arg("-o").arg(&scratch.0);
+    let output = command.stdin(Stdio::null()).output();
+    assert!(output.expect("the binary runs").status.success());
+    let page = fs::read_to_string(scratch.0.join("modes.html")).expect("a page");
+    // Nothing else can move.
+    assert_eq!(page.matches("<animate attributeName=\"points\"").count(), 2);
+}

@@ -64,7 +64,29 @@ fn axes(system: &System) -> Vec<BentAxis> {
             curvatures: axis.curvatures.clone(),
         }
     };
-    system.axes.iter().map(axis).collect()
+    let chains = (0..system.bodies.len()).filter_map(|body| chain(system, body));
+    system.axes.iter().map(axis).chain(chains).collect()
+}
+
+/// The axis of a chain, whose parts behind the first have results of their own, `rod.node1`; as it is drawn it is straight.
+fn chain(system: &System, body: usize) -> Option<BentAxis> {
+    let own = &system.bodies[body];
+    let drawn = |body: usize| system.layout.moving(body).read(&system.guess);
+    let place = |body: usize| Vec2::new(drawn(body)[0], drawn(body)[1]);
+    let back = Pose::new(0.0, 0.0, -drawn(body)[2]);
+    let nodes = system.bodies.iter().enumerate();
+    let nodes = nodes
+        .filter(|(_, node)| matches!(node.part(), BodyPart::Node(_)) && node.link() == own.name)
+        .map(|(node, _)| (back.turn(place(node) - place(body)) - own.origin).into());
+    let first: [f64; 2] = (-own.origin).into();
+    let places: Vec<[f64; 2]> = std::iter::once(first).chain(nodes).collect();
+    (own.part() == BodyPart::Own && places.len() > 1).then(|| BentAxis {
+        body: own.name.clone(),
+        amplitudes: Vec::new(),
+        moves: vec![Vec::new(); places.len()],
+        places,
+        curvatures: Vec::new(),
+    })
 }
 
 /// Deflection by length beyond which few modes, to second order, are no description of a link.

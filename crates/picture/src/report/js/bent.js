@@ -1,18 +1,25 @@
 "use strict";
-// Elastic links as they bend: the page has this script where there are some. Bars are enlarged as the reader chooses and coloured by how
-// much they are bent; points of their axes stand where they are. Where amplitudes are missing a link stays straight.
+// Elastic links as they bend: the page has this script where there are some. Deflections are enlarged as the reader chooses, bars
+// coloured by how much they are bent; points of their axes stand where they are. Where amplitudes are missing a link stays straight.
 (() => {
   const { given, mechanism, shapes, drawing, forces, units, byName, element, id } = linkdyn;
   const SHARE = 0.1, MOST_ROWS = 2000, OFF = 1e-3, FAINT = 0.3;
   const links = mechanism.bodies.flatMap((own, body) => {
-    const amplitudes = (own.bending?.moves[0] || []).map((_, k) => byName.get(`${own.name}.q${k + 1}`));
-    return amplitudes.length && amplitudes.every(Boolean) ? [{ own, body, amplitudes }] : [];
+    if (!own.bending) return [];
+    const amplitudes = own.bending.moves[0].map((_, k) => byName.get(`${own.name}.q${k + 1}`));
+    // Of a chain the parts behind the first have places of their own.
+    const nodes = amplitudes.length ? [] : own.bending.places.slice(1).map((_, k) => ["x", "y"].map((axis) => byName.get(`${own.name}.node${k + 1}.${axis}`)));
+    return [...amplitudes, ...nodes.flat()].every(Boolean) ? [{ own, body, amplitudes, nodes }] : [];
   });
   if (!links.length) return;
   const ofBody = new Map(links.map((link) => [link.body, link]));
 
   // Deflections and curvatures along a link; nothing in a gap.
-  const bent = ({ own: { bending }, amplitudes }, row) => {
+  const bent = ({ own: { bending }, body, amplitudes, nodes }, row) => {
+    if (nodes.length) {
+      const pose = shapes.pose(body, row), places = pose && nodes.map(([x, y]) => shapes.turn([0, 0, -pose[2]], x.values[row] - pose[0], y.values[row] - pose[1]));
+      return places?.flat().every(Number.isFinite) ? { deflections: [[0, 0], ...places.map(([x, y], k) => [x - bending.places[k + 1][0], y - bending.places[k + 1][1]])], curvatures: [] } : null;
+    }
     const q = amplitudes.map(({ values }) => values[row]), sum = (by, of) => by.reduce((sum, part, k) => sum + of(part) * q[k], 0);
     return q.every(Number.isFinite) ? {
       deflections: bending.moves.map((by) => [sum(by, ([x]) => x), sum(by, ([, y]) => y)]),
@@ -31,7 +38,8 @@
     if (found) return found;
     let share = 0, curvature = 0;
     const step = Math.ceil(linkdyn.rows / MOST_ROWS) || 1;
-    for (const link of links) for (let row = 0; row < linkdyn.rows; row += step) {
+    // Chains are for large deflections: these are as they are.
+    for (const link of links.filter(({ nodes }) => !nodes.length)) for (let row = 0; row < linkdyn.rows; row += step) {
       const { deflections, curvatures } = bent(link, row) || { deflections: [], curvatures: [] }, { length } = seat(link, 0, 0);
       for (const far of deflections) share = Math.max(share, Math.hypot(...far) / length);
       curvature = Math.max(curvature, ...curvatures);
@@ -55,8 +63,9 @@
       const link = shapes.posed ? null : ofBody.get(body), pose = link && shapes.pose(body, row), now = pose && bent(link, row);
       const [, x, y] = now && link.own.points[number] || [], { part, off } = now ? seat(link, x, y) : {};
       if (!(off < OFF && part > -OFF && part < 1 + OFF)) return place([body, number], row);
-      const all = now.deflections, at = Math.min(Math.max(part, 0), 1) * (all.length - 1), k = Math.min(Math.floor(at), all.length - 2);
-      const [dx, dy] = [0, 1].map((axis) => all[k][axis] + (at - k) * (all[k + 1][axis] - all[k][axis]));
+      const all = now.deflections, parts = link.own.bending.places.map(([x, y]) => seat(link, x, y).part);
+      const k = Math.min(Math.max(parts.findLastIndex((own) => own <= part), 0), all.length - 2), beyond = (part - parts[k]) / (parts[k + 1] - parts[k]);
+      const [dx, dy] = [0, 1].map((axis) => all[k][axis] + beyond * (all[k + 1][axis] - all[k][axis]));
       return shapes.carry(pose, x + dx, y + dy);
     };
   };
@@ -69,14 +78,14 @@
     return `rgb(${[0, 1, 2].map((k) => Math.round(from[k] + Math.min(part, 1) * (to[k] - from[k]))).join(", ")})`;
   };
   const bar = (pen, link, now, { to, row, bar, colours }, width) => {
-    const { places } = link.own.bending, pose = shapes.pose(link.body, row), { fill, line } = colours.body(link.body), most = largest().curvature;
+    const { places } = link.own.bending, pose = shapes.pose(link.body, row), { fill, line } = colours.body(link.body), most = largest().curvature, by = link.nodes.length ? 1 : factor();
     const stroke = (points, wide, colour) => { drawing.path(pen, points); pen.lineWidth = wide; pen.strokeStyle = colour; pen.stroke(); };
     const along = (by) => places.map(([x, y], k) => to(shapes.carry(pose, x + by * now.deflections[k][0], y + by * now.deflections[k][1])));
-    const all = pen.globalAlpha, points = along(factor());
+    const all = pen.globalAlpha, points = along(by);
     // Pins, paths and what else joins it are where it is.
-    if (factor() > 1) { pen.globalAlpha = all * FAINT; stroke(along(1), 2 * bar, fill); pen.globalAlpha = all; }
+    if (by > 1) { pen.globalAlpha = all * FAINT; stroke(along(1), 2 * bar, fill); pen.globalAlpha = all; }
     stroke(points, 2 * bar + width, line);
-    if (!(most > 0)) stroke(points, 2 * bar - width, fill);
+    if (!(most > 0) || !now.curvatures.length) stroke(points, 2 * bar - width, fill);
     else now.curvatures.slice(1).forEach((end, k) => stroke(points.slice(k, k + 2), 2 * bar - width, tint((now.curvatures[k] + end) / 2 / most, colours)));
   };
 
@@ -112,7 +121,7 @@
       x += wide + long + 12;
     };
     pen.font = "12px system-ui, sans-serif"; pen.textBaseline = "bottom";
-    put(`deflection × ${units.number(factor())}`, 0);
+    if (!chosen.hidden) put(`deflection × ${units.number(factor())}`, 0);
     if (largest().curvature > 0) put("bending", LONG);
     return [...boxes, ...legend(pen, list, x, y, width)];
   };
