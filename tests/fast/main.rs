@@ -45,6 +45,7 @@ mod crossing;
 mod departures;
 mod dynamics;
 mod edits;
+mod elastic;
 mod extremes;
 mod face;
 mod family;
