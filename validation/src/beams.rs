@@ -30,6 +30,17 @@ struct Cantilever {
     heavy: [f64; 2],
 }
 
+/// Lowest two frequencies of a cantilever in the plane of its turning by Ω*, by √(EI/ρA L⁴).
+pub(super) const TURNING: [(f64, [f64; 2]); 7] = [
+    (0.0, [3.516_015, 22.034_492]),
+    (1.0, [3.543_236, 22.158_458]),
+    (2.0, [3.621_797, 22.526_311]),
+    (4.0, [3.897_723, 23.941_501]),
+    (6.0, [4.263_225, 26.129_042]),
+    (10.0, [5.048_975, 32.119_686]),
+    (12.0, [5.427_049, 35.636_976]),
+];
+
 const SLENDER: Cantilever = Cantilever {
     length: 1.0,
     axial: 1e6,
@@ -197,15 +208,7 @@ fn turning(setting: &Setting, claims: &mut Vec<Claim>) -> Result<(), CaseError> 
         best,
         1e-12,
     ));
-    for (rate, known) in [
-        (0.0, [3.516_015, 22.034_492]),
-        (1.0, [3.543_236, 22.158_458]),
-        (2.0, [3.621_797, 22.526_311]),
-        (4.0, [3.897_723, 23.941_501]),
-        (6.0, [4.263_225, 26.129_042]),
-        (10.0, [5.048_975, 32.119_686]),
-        (12.0, [5.427_049, 35.636_976]),
-    ] {
+    for (rate, known) in TURNING {
         let of = |n: usize| SLENDER.frequencies(n, rate, setting);
         let found = [of(8)?, of(16)?, of(32)?];
         for (k, known) in known.into_iter().enumerate() {

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use linkdyn_engine::analysis::{self, Outcome};
 use serde_json::{Value, json};
 
-use super::beams::read;
+use super::beams::{TURNING, read};
 use super::{CaseError, CaseReport, Claim, Setting, at_most, broken, finished};
 
 /// A line about the case.
@@ -379,15 +379,7 @@ fn spin_up(setting: &Setting, claims: &mut Vec<Claim>) -> Result<(), CaseError> 
 
 /// Frequencies of a turning cantilever in the plane of its turning, by √(EI/ρA L⁴).
 fn turning(setting: &Setting, claims: &mut Vec<Claim>) -> Result<(), CaseError> {
-    for (rate, known) in [
-        (0.0, [3.516_015, 22.034_492]),
-        (1.0, [3.543_236, 22.158_458]),
-        (2.0, [3.621_797, 22.526_311]),
-        (4.0, [3.897_723, 23.941_501]),
-        (6.0, [4.263_225, 26.129_042]),
-        (10.0, [5.048_975, 32.119_686]),
-        (12.0, [5.427_049, 35.636_976]),
-    ] {
+    for (rate, known) in TURNING {
         // Shapes at rest are what a bar that turns fast bends in only where there are many.
         let n = if rate <= 2.0 { 4 } else { 12 };
         let bar = json!({ "bending_stiffness": 1.0, "mass_per_length": 1.0, "modes": n });

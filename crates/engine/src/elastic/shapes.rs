@@ -627,14 +627,17 @@ mod tests {
             is_pushed: true,
             ..at(a)
         };
-        let shapes = bar(true, 1, vec![at(0.0), pushed, at(2.0)])
-            .shapes()
-            .expect("shapes");
-        let modal = shapes.modal();
-        let here: Vec<f64> = shapes.moved(a).moves.iter().map(|own| own.y).collect();
-        let load = DVector::from_vec(here.clone());
-        let q = modal.matrices[1].clone().lu().solve(&load).expect("stiff");
-        let w: f64 = q.iter().zip(&here).map(|(q, here)| q * here).sum();
+        let deflection = |place: Place| -> f64 {
+            let shapes = bar(true, 1, vec![at(0.0), place, at(2.0)])
+                .shapes()
+                .expect("shapes");
+            let here: Vec<f64> = shapes.moved(a).moves.iter().map(|own| own.y).collect();
+            let load = DVector::from_vec(here.clone());
+            let stiffness = shapes.modal().matrices[1].clone();
+            let q = stiffness.lu().solve(&load).expect("stiff");
+            q.iter().zip(&here).map(|(q, here)| q * here).sum()
+        };
+        let w = deflection(pushed);
         let known = a * a * b * b / (3.0 * 3.0 * 2.0);
         assert!((w / known - 1.0).abs() < 1e-10, "{w} {known}");
         // A hinge adds M(a)²/k.
@@ -642,14 +645,7 @@ mod tests {
             hinge: Some(4.0),
             ..pushed
         };
-        let shapes = bar(true, 1, vec![at(0.0), hinged, at(2.0)])
-            .shapes()
-            .expect("shapes");
-        let modal = shapes.modal();
-        let here: Vec<f64> = shapes.moved(a).moves.iter().map(|own| own.y).collect();
-        let load = DVector::from_vec(here.clone());
-        let q = modal.matrices[1].clone().lu().solve(&load).expect("stiff");
-        let w: f64 = q.iter().zip(&here).map(|(q, here)| q * here).sum();
+        let w = deflection(hinged);
         let known = known + (a * b / 2.0).powi(2) / 4.0;
         assert!((w / known - 1.0).abs() < 1e-9, "{w} {known}");
     }
