@@ -51,6 +51,31 @@ fn a_strut_bends_as_struts_do() {
     assert!(imbalance < 1e-12, "{imbalance}");
 }
 
+/// ω² of a pinned bar under a push falls in proportion to it, to nothing at Euler's load: between plain pins, too, whose end comes closer.
+#[test]
+fn a_push_lowers_the_frequency_of_a_bar_between_pins() {
+    let euler = std::f64::consts::PI.powi(2) * BENDING;
+    let lowest = |push: f64| {
+        let model = json!({ "format": "linkdyn/1", "units": "SI",
+            "bodies": { "ground": { "points": { "O": [0.0, 0.0], "T": [1.0, 0.0] } }, "bar": bar(&json!({ "modes": 1 })),
+                "slider": { "mass": 0.0, "inertia": 0.0, "points": { "T": [0.0, 0.0] }, "pose": { "position": [1.0, 0.0] } } },
+            "joints": { "a": { "type": "revolute", "between": ["ground.O", "bar.O"] },
+                "b": { "type": "revolute", "between": ["bar.T", "slider.T"] },
+                "c": { "type": "prismatic", "between": ["ground.T", "slider.T"], "axis": [1.0, 0.0] } },
+            "forces": { "push": { "type": "force", "at": "slider.T", "vector": [-push, 0.0] } },
+            "analysis": { "type": "dynamics", "end": 1.0, "outputs": 2 } });
+        let model = linkdyn_model::load(model.to_string().as_bytes(), &[])
+            .expect("sound")
+            .model;
+        let found = linkdyn_engine::analysis::modes(&model, false, &Default::default());
+        found.expect("modes").modes[0].frequency()
+    };
+    let free = lowest(0.0);
+    let known = std::f64::consts::PI * (euler / (7850.0 * 0.02 * 0.01)).sqrt();
+    close(free, known, 1e-9 * free);
+    close(lowest(0.75 * euler), 0.5 * free, 1e-9 * free);
+}
+
 /// A crank, drawn a little off, that starts at full speed with a chain for its rod: nothing is strained at the start.
 #[test]
 fn chains_start_straight_and_without_a_blow() {

@@ -126,12 +126,12 @@ pub(super) fn warnings(system: &System, rows: &Trajectory, steps: usize) -> Vec<
             ));
         }
         let [slowest, fastest] = axis.frequencies;
-        let [is_axial, shortens] = axis.is;
         let turns = column(format!("{name}.omega")).map(|column| {
             let rates = rows.rows().map(|row| row[column].abs());
             rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max)
         });
-        if let Some(rate) = turns.filter(|rate| !shortens && *rate > slowest && slowest > 0.0) {
+        if let Some(rate) = turns.filter(|rate| !axis.shortens && *rate > slowest && slowest > 0.0)
+        {
             said.push(format!(
                 "elastic link \"{name}\" turns at {} rad/s, faster than its first vibration at {} rad/s, without the foreshortening that stiffens it: leave out \"foreshortening\": false",
                 number(rate, 4),
@@ -142,7 +142,7 @@ pub(super) fn warnings(system: &System, rows: &Trajectory, steps: usize) -> Vec<
         let duration = times.fold(0.0, f64::max);
         // A vibration takes some ten steps a period, where it is followed.
         let periods = fastest * duration / TAU;
-        if is_axial && steps > 2000 && (2.0..200.0).contains(&(steps as f64 / periods)) {
+        if axis.stretches && steps > 2000 && (2.0..200.0).contains(&(steps as f64 / periods)) {
             said.push(format!(
                 "vibrations along elastic link \"{name}\", {} in the run, take most of its {steps} steps: leave out \"axial\" unless they matter",
                 number(periods, 3)

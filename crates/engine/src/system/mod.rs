@@ -150,8 +150,10 @@ pub struct ElasticAxis {
     pub(crate) heavy: [f64; 2],
     /// Slowest and fastest frequency of its modes [rad/s].
     pub(crate) frequencies: [f64; 2],
-    /// Whether it stretches, and whether bending shortens it.
-    pub(crate) is: [bool; 2],
+    /// Whether it stretches.
+    pub(crate) stretches: bool,
+    /// Whether bending shortens it.
+    pub(crate) shortens: bool,
 }
 
 /// What a body of the equations is to the user.

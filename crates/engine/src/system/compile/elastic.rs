@@ -161,7 +161,9 @@ impl<'a> Compiler<'a> {
             .map(|(point, moved)| (Some(point), moved, 0.0));
         for (point, moved, mass) in masses.chain(named) {
             let place = turned(direction, moved.place);
-            let is_held = moved.moves.iter().all(|by| *by == Vec2::zeros());
+            // The end of a chord does not deflect, and yet comes closer.
+            let mut motions = moved.moves.iter().chain(moved.shortens.iter().flatten());
+            let is_held = motions.all(|by| *by == Vec2::zeros());
             let is_still = is_held
                 && (moved.turns.iter().all(|by| *by == 0.0)
                     || point.is_some_and(|point| only_pins(self.model, name, point)));
@@ -204,7 +206,8 @@ impl<'a> Compiler<'a> {
             curvatures: link.axis.iter().map(|(_, by)| by.clone()).collect(),
             amplitudes: amplitudes.clone(),
             frequencies: link.modal.frequencies(),
-            is: [own.axial == Some(true), link.modal.second.is_some()],
+            stretches: own.axial == Some(true),
+            shortens: link.modal.second.is_some(),
             heavy: own.bar().map_or([0.0; 2], |bar| {
                 let (_, _, length) = axis(body, own);
                 [bar.mass * length, bar.rotary * length]
