@@ -4,6 +4,7 @@
 //! | ----------- | -------------------------------------------------------- |
 //! | `exit`      | exit statuses, bad input                                 |
 //! | `streams`   | what goes to which stream                                |
+//! | `created`   | files that are new                                       |
 //! | `open`      | MODEL: reads a model                                     |
 //! | `results`   | RESULTS: reads what a run has written                    |
 //! | `measures`  | options that are numbers with limits                     |
@@ -21,10 +22,12 @@ mod animate;
 mod check;
 mod compare;
 mod completions;
+mod created;
 mod docs;
 mod edit;
 mod exit;
 mod gallery;
+mod import;
 mod interrupt;
 mod live;
 mod man;
@@ -92,6 +95,8 @@ fn exit_help() -> String {
 enum Command {
     /// Write a starter model, explained by its notes
     New(new::Options),
+    /// Read a mechanism from a file of another program: PMKS+, pylinkage, MJCF, URDF, SDF, DXF, SVG, CSV
+    Import(import::Options),
     /// Run a model's analysis
     Run(run::Options),
     /// Edit a model file in a browser: drawing and text, with the motion beside
@@ -169,6 +174,7 @@ impl Command {
     fn execute(self) -> Result<Exit, Failure> {
         match self {
             Command::New(options) => new::execute(&options),
+            Command::Import(options) => import::execute(&options),
             Command::Run(options) => run::execute(&options),
             Command::Edit(options) => edit::execute(&options),
             Command::Check(options) => check::execute(&options),

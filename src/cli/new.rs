@@ -1,11 +1,10 @@
 //! `linkdyn new`: a starter model, explained by its notes.
 
-use std::fs::OpenOptions;
-use std::io::{ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
+use super::created::{create, quoted};
 use super::exit::{BadInput, Exit, Failure};
 use super::streams::print;
 use linkdyn_ask::near::did_you_mean;
@@ -78,34 +77,12 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("{name}.json")));
     let shown = path.display();
-    let mut how = OpenOptions::new();
-    // Without --force a file that is there is never touched, not even one that appears this very moment.
-    if options.force {
-        how.write(true).create(true).truncate(true)
-    } else {
-        how.write(true).create_new(true)
-    };
-    let written = how
-        .open(&path)
-        .and_then(|mut file| file.write_all(text.as_bytes()));
-    written.map_err(|error| {
-        let said = match error.kind() {
-            _ if path.is_dir() => {
-                format!(
-                    "{shown}: a directory (name a file, such as {})",
-                    path.join(format!("{name}.json")).display()
-                )
-            }
-            ErrorKind::AlreadyExists => {
-                format!("{shown}: there is such a file already (--force overwrites it)")
-            }
-            ErrorKind::NotFound if !folder_of(&path).is_dir() => {
-                format!("{shown}: its folder does not exist (make it first)")
-            }
-            _ => return Failure::Unwritten(format!("{shown}: can't be written: {error}")),
-        };
-        BadInput(vec![said])
-    })?;
+    create(
+        &path,
+        text.as_bytes(),
+        options.force,
+        &format!("{name}.json"),
+    )?;
     let file = quoted(&shown.to_string());
     let mut page = Page::default();
     page.line(format!("{shown}: {about}; its notes explain it. Next:"));
@@ -115,23 +92,6 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
     page.line("  linkdyn docs format     tells all that may stand in it");
     print(page.text())?;
     Ok(Exit::Done)
-}
-
-/// The folder that a file is in.
-fn folder_of(path: &Path) -> &Path {
-    path.parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."))
-}
-
-/// The path as one word for a shell.
-fn quoted(path: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "/\\._-:".contains(c);
-    if path.chars().all(plain) {
-        path.to_string()
-    } else {
-        format!("'{}'", path.replace('\'', r"'\''"))
-    }
 }
 
 #[cfg(test)]
@@ -145,7 +105,5 @@ mod tests {
             std::fs::read_dir(folder).expect("templates/").count(),
             TEMPLATES.len()
         );
-        assert_eq!(quoted("a/four-bar.json"), "a/four-bar.json");
-        assert_eq!(quoted("my bar's.json"), r"'my bar'\''s.json'");
     }
 }

@@ -42,6 +42,7 @@ const PARTS: &[Part] = &[
         3_910,
     ),
     part("ask", &["crates/ask/src"], "rs", 8_740),
+    part("exchange", &["crates/exchange/src"], "rs", 4_000),
     part("output", &["crates/output/src"], "rs", 2_180),
     part("picture", &["crates/picture/src"], "rs", 9_565),
     part("pages", &["crates/picture/src"], "js", 4_690),

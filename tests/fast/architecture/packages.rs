@@ -12,6 +12,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
         "linkdyn",
         &[
             "ask",
+            "exchange",
             "validation",
             "picture",
             "variation",
@@ -23,7 +24,10 @@ const PACKAGES: &[(&str, &[&str])] = &[
         ],
     ),
     // The engine for pages in a browser.
-    ("web", &["ask", "picture", "engine", "output", "model"]),
+    (
+        "web",
+        &["ask", "exchange", "picture", "engine", "output", "model"],
+    ),
     // Questions and their answers.
     (
         "ask",
@@ -57,6 +61,8 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("engine", &["output", "model", "linear"]),
     // Tables and reports of a run.
     ("output", &[]),
+    // Files of other programs.
+    ("exchange", &["model"]),
     // Words: what the user wrote.
     ("model", &[]),
     // Optimisation of functions, whatever they are functions of.
