@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use linkdyn_engine::analysis::{Control, Snapshot, Stepped, Stop};
+use linkdyn_model::error::Complaint;
 use linkdyn_output::Event;
 
 use crate::error::Error;
@@ -57,7 +58,21 @@ impl Mechanism {
     /// [`Error::Model`] where the model's analysis is not `dynamics`, lacks what it needs, or drivers prescribe the whole motion;
     /// [`Error::Early`] where it can't start.
     pub fn simulation(&self) -> Result<Simulation, Error> {
-        let stepped = self.prepared()?.begin();
+        self.steered_simulation(&[])
+    }
+
+    /// The same with drivers whose acceleration the program sets ([`Simulation::set_acceleration`]); until then each follows its motion.
+    ///
+    /// # Errors
+    /// As [`Mechanism::simulation`]; [`Error::Unknown`] where there is no such driver.
+    pub fn steered_simulation(&self, drivers: &[&str]) -> Result<Simulation, Error> {
+        let known = &self.model().drivers;
+        let index = |name: &&str| {
+            let found = known.get_index_of(*name);
+            found.ok_or_else(|| unknown("driver", name, known.keys().map(String::as_str)))
+        };
+        let steered: Vec<usize> = drivers.iter().map(index).collect::<Result<_, _>>()?;
+        let stepped = self.prepared()?.begin(&steered);
         let stepped = stepped.map_err(|stop| self.stopped(stop))?;
         let coordinates = stepped.system().coordinates();
         Ok(Simulation {
@@ -169,6 +184,79 @@ impl Simulation {
     ) {
         self.force.fill(0.0);
         self.stepped.follow(Arc::new(law));
+    }
+}
+
+/// Inputs of the model, and drivers.
+impl Simulation {
+    /// Names of the model's inputs.
+    pub fn inputs(&self) -> impl Iterator<Item = &str> {
+        self.stepped.inputs()
+    }
+
+    /// The value of an input, in SI.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] where there is none of that name.
+    pub fn input(&self, name: &str) -> Result<f64, Error> {
+        Ok(self.stepped.input(self.input_index(name)?))
+    }
+
+    /// Sets an input, in SI: constant from now on, until it is set again.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] where there is none of that name, [`Error::Model`] where the value is not finite.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::prelude::*;
+    ///
+    /// let mechanism: Mechanism = r#"{ "format": "linkdyn/1",
+    ///   "bodies": { "rotor": { "mass": 1, "inertia": 2, "com": [0, 0], "points": { "O": [0, 0] } }, "ground": { "points": { "O": [0, 0] } } },
+    ///   "joints": { "pin": { "type": "revolute", "between": ["ground.O", "rotor.O"] } },
+    ///   "inputs": { "torque": "0 N*m" },
+    ///   "forces": { "motor": { "type": "torque", "body": "rotor", "value": "=input.torque" } },
+    ///   "analysis": { "type": "dynamics", "end": 1 } }"#.parse()?;
+    /// let mut rotor = mechanism.simulation()?;
+    /// rotor.step_to(1.0)?;
+    /// rotor.set_input("torque", 6.0)?;
+    /// rotor.step_to(2.0)?;
+    /// assert!((rotor.velocity()[2] - 3.0).abs() < 1e-12);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), Error> {
+        let input = self.input_index(name)?;
+        self.finite(&format!("inputs.{name}"), value)?;
+        self.stepped.set_input(input, value);
+        Ok(())
+    }
+
+    /// Sets the acceleration of a driver [rad/s² or m/s²]: it goes on from its present value and rate, with this acceleration from now on.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] where there is no such driver; [`Error::Model`] where the simulation was not begun with it steered
+    /// ([`Mechanism::steered_simulation`]), or the value is not finite.
+    pub fn set_acceleration(&mut self, driver: &str, acceleration: f64) -> Result<(), Error> {
+        let known = &self.mechanism.model().drivers;
+        let index = known.get_index_of(driver);
+        let index =
+            index.ok_or_else(|| unknown("driver", driver, known.keys().map(String::as_str)))?;
+        self.finite(&format!("drivers.{driver}"), acceleration)?;
+        let set = self.stepped.set_acceleration(index, acceleration);
+        set.map_err(|stop| self.mechanism.stopped(stop))
+    }
+
+    fn input_index(&self, name: &str) -> Result<usize, Error> {
+        let found = self.inputs().position(|known| known == name);
+        found.ok_or_else(|| unknown("input", name, self.inputs()))
+    }
+
+    fn finite(&self, path: &str, value: f64) -> Result<(), Error> {
+        if value.is_finite() {
+            return Ok(());
+        }
+        let complaint = Complaint::new(path, format!("{value} is not a finite number"));
+        Err(self.mechanism.stopped(complaint.into()))
     }
 }
 

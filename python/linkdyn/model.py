@@ -287,12 +287,14 @@ class Model:
         """The equations of the model, for solvers of one's own."""
         return Equations(self._core.equations())
 
-    def simulation(self) -> Simulation:
+    def simulation(self, steered: Sequence[str] = ()) -> Simulation:
         """The motion of the model's ``dynamics``, at t = 0, to be stepped by the program. Its ``end`` is ignored.
+
+        The acceleration of drivers that are `steered` is set by the program; until then they follow their motions.
 
         :raises ModelError: where the analysis is not ``dynamics``, or drivers prescribe the whole motion.
         """
-        return Simulation(self._core.simulation())
+        return Simulation(self._core.simulation(list(steered)))
 
     def check(self) -> Answer:
         """Assembles and diagnoses the model without running it: mobility, loops, what is missing for which analysis.

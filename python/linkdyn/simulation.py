@@ -76,6 +76,22 @@ class Simulation:
             forces = [forces.get(name, 0.0) for name in self.coordinates]
         self._core.set_forces(np.ascontiguousarray(forces, dtype=np.float64))
 
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Values of the model's inputs, in SI units."""
+        return {name: self._core.input(name) for name in self._core.inputs()}
+
+    def set_input(self, name: str, value: float) -> None:
+        """Set an input of the model, in SI units: constant from now on, until it is set again."""
+        self._core.set_input(name, value)
+
+    def set_acceleration(self, driver: str, acceleration: float) -> None:
+        """Set the acceleration of a driver [rad/s² or m/s²]: it goes on from its value and rate.
+
+        The simulation must have been begun with it: ``model.simulation(steered=["motor"])``.
+        """
+        self._core.set_acceleration(driver, acceleration)
+
     def set_law(self, law: Callable[[Array, Array, float], ArrayLike]) -> None:
         """F(q, v, t) (n) from now on: a smooth function without memory, which is called at every evaluation within steps."""
 

@@ -147,8 +147,8 @@ impl Mechanism {
     }
 
     /// The motion at t = 0, to be stepped.
-    fn simulation(&self, py: Python<'_>) -> PyResult<Simulation> {
-        Simulation::new(py, &self.mechanism)
+    fn simulation(&self, py: Python<'_>, steered: Vec<String>) -> PyResult<Simulation> {
+        Simulation::new(py, &self.mechanism, &steered)
     }
 
     /// The family of mechanisms in which these parameters take other values.

@@ -71,6 +71,29 @@ impl Simulation {
         Ok(())
     }
 
+    /// Names of the inputs.
+    fn inputs(&self) -> PyResult<Vec<String>> {
+        Ok(self.get()?.inputs().map(str::to_owned).collect())
+    }
+
+    /// The value of an input.
+    fn input(&self, py: Python<'_>, name: &str) -> PyResult<f64> {
+        let value = self.get()?.input(name);
+        value.map_err(|error| exception(py, &error))
+    }
+
+    /// Sets an input.
+    fn set_input(&self, py: Python<'_>, name: &str, value: f64) -> PyResult<()> {
+        let set = self.get()?.set_input(name, value);
+        set.map_err(|error| exception(py, &error))
+    }
+
+    /// Sets the acceleration of a driver that is steered.
+    fn set_acceleration(&self, py: Python<'_>, driver: &str, acceleration: f64) -> PyResult<()> {
+        let set = self.get()?.set_acceleration(driver, acceleration);
+        set.map_err(|error| exception(py, &error))
+    }
+
     /// F as a function of time, position and velocity, which gives doubles (n).
     fn set_law(&self, law: Py<PyAny>) -> PyResult<()> {
         let raised = Arc::clone(&self.raised);
@@ -142,8 +165,13 @@ impl Simulation {
 }
 
 impl Simulation {
-    pub fn new(py: Python<'_>, mechanism: &linkdyn::Mechanism) -> PyResult<Self> {
-        let begun = at_once(py, || mechanism.simulation())?;
+    pub fn new(
+        py: Python<'_>,
+        mechanism: &linkdyn::Mechanism,
+        steered: &[String],
+    ) -> PyResult<Self> {
+        let steered: Vec<&str> = steered.iter().map(String::as_str).collect();
+        let begun = at_once(py, || mechanism.steered_simulation(&steered))?;
         let simulation = begun.map_err(|error| exception(py, &error))?;
         Ok(Simulation {
             inner: Arc::new(Mutex::new(simulation)),

@@ -151,6 +151,7 @@ impl Argument {
     pub(crate) fn powers(&self, catalogue: &Catalogue) -> Powers {
         let (is_angle, order) = match self {
             Argument::Time => return Dimension::Time.powers(),
+            Argument::Input(name) => return catalogue.input(name).unwrap_or_default(),
             Argument::State(name) => return catalogue.state(name).unwrap_or_default(),
             Argument::Driver(name) => {
                 let driven = catalogue.drives(name);

@@ -26,6 +26,8 @@ pub enum Argument {
     Time,
     /// Value of a driver \[rad or m\].
     Driver(String),
+    /// A number from outside.
+    Input(String),
     /// An integrated state.
     State(String),
     /// A coordinate of a body's frame \[m or rad\].
@@ -78,7 +80,9 @@ impl Argument {
     /// Whether it is a quantity or a rate.
     pub(crate) fn order(&self) -> Order {
         match self {
-            Argument::Time | Argument::Driver(_) | Argument::State(_) => Order::Value,
+            Argument::Time | Argument::Driver(_) | Argument::Input(_) | Argument::State(_) => {
+                Order::Value
+            }
             Argument::Body(_, _, order)
             | Argument::Point(_, _, order)
             | Argument::Spring(_, order)

@@ -23,6 +23,7 @@ pub mod formula;
 pub mod joint;
 pub mod optimise;
 pub mod outline;
+mod release;
 pub mod response;
 pub mod study;
 pub mod tolerance;
@@ -36,6 +37,7 @@ mod expression;
 mod file;
 mod gate;
 mod hold;
+mod input;
 mod json;
 mod knob;
 mod literal;
@@ -106,6 +108,7 @@ pub use self::{
     file_access::FileAccess,
     force::Stroke,
     formula::Formula,
+    input::ModelInput,
     joint::{Latch, OneWay, Stops, Strands, Timed},
     load::{load_with_access, read_file},
     motion::{Interpolation, Paced, Rise, RiseLaw, Segment},
@@ -149,6 +152,8 @@ pub struct Model {
     pub forces: IndexMap<String, Force>,
     /// Functions by their points, for formulas.
     pub tables: IndexMap<String, Table>,
+    /// Numbers from outside, for formulas.
+    pub inputs: IndexMap<String, ModelInput>,
     /// Quantities of which the rates are known.
     pub states: IndexMap<String, State>,
     /// Exact values at t = 0, per body.

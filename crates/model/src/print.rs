@@ -183,6 +183,7 @@ impl Printer<'_> {
             }
             (
                 Shape::Curve(_)
+                | Shape::Input
                 | Shape::State(_)
                 | Shape::Event
                 | Shape::Response

@@ -106,8 +106,13 @@ fn quantity(name: &str, catalogue: &Catalogue) -> Result<Argument, Complaint> {
             let message = "time is nothing that the mechanism moves".to_owned();
             Err(said(message).hint("what changes by time has a column of its rate, as slider.vx"))
         }
-        Some(Argument::State(_)) => {
-            let message = format!("{name} is a state, which the mechanism does not move");
+        Some(Argument::Input(_) | Argument::State(_)) => {
+            let kind = if name.starts_with("input.") {
+                "an input"
+            } else {
+                "a state"
+            };
+            let message = format!("{name} is {kind}, which the mechanism does not move");
             Err(said(message).hint("as in d(slider.x) or d(force.shock.length)"))
         }
         Some(found) if found.order() == Order::Rate => {
@@ -121,7 +126,7 @@ fn quantity(name: &str, catalogue: &Catalogue) -> Result<Argument, Complaint> {
             let is_value = |name: &&String| {
                 let found = catalogue.argument(name);
                 found.is_some_and(|one| match one {
-                    Argument::Time | Argument::State(_) => false,
+                    Argument::Time | Argument::Input(_) | Argument::State(_) => false,
                     one => one.order() == Order::Value,
                 })
             };

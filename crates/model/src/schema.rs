@@ -298,7 +298,7 @@ fn at(shape: &Shape, field: Option<&Field>) -> Keys {
                 }
                 Shape::End(measure) => places::end(&quantity(*measure)),
                 Shape::Place => places::place(),
-                Shape::Limit | Shape::Nominal | Shape::Entry => places::value(),
+                Shape::Limit | Shape::Nominal | Shape::Entry | Shape::Input => places::value(),
                 Shape::Deviations => places::deviations(),
                 Shape::Pair(of) => list(of, 2, Some(2)),
                 Shape::List(of, least) => list(of, *least, None),

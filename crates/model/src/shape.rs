@@ -184,6 +184,8 @@ pub enum Shape {
     Table,
     /// A table of formulas: an object whose entries bring their units.
     Curve(&'static Described<Object>),
+    /// A number from outside, whose unit gives it its dimension.
+    Input,
     /// An integrated state: an object whose dimension is that of its rate by time.
     State(&'static Described<Object>),
     /// The points of a table.

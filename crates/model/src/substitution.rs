@@ -21,7 +21,7 @@ use crate::{Model, Parameter};
 
 /// Places of numbers on which there is no rule but one on their sign, and what a joint says of its own (`conflict`): of others only
 /// reading can tell what is wrong.
-const KNOWN: [&str; 22] = [
+const KNOWN: [&str; 23] = [
     "gravity.*",
     "bodies.*.mass",
     "bodies.*.inertia",
@@ -43,6 +43,7 @@ const KNOWN: [&str; 22] = [
     "forces.*.vector.*",
     "forces.**.table.points.*.1",
     "tables.*.points.*.1",
+    "inputs.*.start",
     "states.*.start",
 ];
 
@@ -116,6 +117,7 @@ impl Component {
             "drivers" => set(model.drivers.get_mut(&self.name), tree),
             "forces" => set(model.forces.get_mut(&self.name), tree),
             "tables" => set(model.tables.get_mut(&self.name), tree),
+            "inputs" => set(model.inputs.get_mut(&self.name), tree),
             "states" => set(model.states.get_mut(&self.name), tree),
             _ => None,
         }

@@ -249,6 +249,7 @@ fn shape(text: &'static str) -> Option<Shape> {
         }
         "table" => Shape::Table,
         "curve" => Shape::Curve(object_named(rest)?),
+        "input" => Shape::Input,
         "state" => Shape::State(object_named(rest)?),
         "entries" => Shape::Entries,
         "entry" => Shape::Entry,

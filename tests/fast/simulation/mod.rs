@@ -227,3 +227,202 @@ fn forces_that_are_no_numbers_stop_it_where_it_is() {
         assert!(own.position()[x] >= place && own.velocity()[x] >= speed);
     }
 }
+
+/// A rotor of 2 kg·m² about ground, turned by an input, and a state that its steps feed.
+fn rotor() -> Value {
+    let mut rotor = model(
+        json!({ "ground": { "points": { "O": [0.0, 0.0] } },
+            "rotor": { "mass": 1.0, "inertia": 2.0, "com": [0.0, 0.0], "points": { "O": [0.0, 0.0] } } }),
+        json!({ "o": { "type": "revolute", "between": ["ground.O", "rotor.O"] } }),
+        json!({}),
+    );
+    rotor["parameters"] = json!({ "first": "2 N*m" });
+    rotor["inputs"] = json!({ "torque": "=2*first", "gain": 1 });
+    rotor["states"] = json!({ "sum": { "rate": "=input.torque", "start": 0 } });
+    rotor["forces"] = json!({ "motor": { "type": "torque", "body": "rotor", "value": "=input.gain*input.torque" } });
+    rotor["analysis"] = json!({ "type": "dynamics", "end": 1, "outputs": 11 });
+    rotor
+}
+
+#[test]
+fn inputs_are_constant_until_they_are_set() {
+    let made = mechanism(&rotor());
+    assert_eq!(
+        made.with(&[(made.parameter("first").expect("there"), 3.0)])
+            .expect("sound")
+            .model()
+            .inputs["torque"]
+            .start,
+        6.0
+    );
+    let mut own = made.simulation().expect("it starts");
+    assert_eq!(own.inputs().collect::<Vec<_>>(), ["torque", "gain"]);
+    own.step_to(1.0).expect("it turns");
+    near(own.velocity()[2], 2.0, 1e-12);
+    let there = own.checkpoint();
+    own.set_input("torque", -8.0).expect("an input");
+    own.set_input("gain", 0.5).expect("an input");
+    own.step_to(3.0).expect("it turns");
+    near(own.velocity()[2], 2.0 - 4.0, 1e-12);
+    let sum = made.column("state.sum").expect("there");
+    near(own.value(sum), 4.0 - 16.0, 1e-12);
+    own.restore(&there).expect("its own");
+    assert_eq!(own.input("torque").expect("an input"), 4.0);
+    own.step_to(3.0).expect("it turns");
+    near(own.velocity()[2], 6.0, 1e-12);
+    let unknown = own.set_input("torqe", 1.0).expect_err("there is none");
+    assert_eq!(
+        unknown.to_string(),
+        "there is no input \"torqe\" (did you mean \"torque\"?)"
+    );
+    let endless = own.set_input("torque", f64::NAN).expect_err("no number");
+    assert_eq!(
+        endless.to_string(),
+        "inputs.torque: NaN is not a finite number"
+    );
+}
+
+/// What an input turns over at once is an event at once: a step of a formula, and a lock that closes.
+#[test]
+fn inputs_may_jump_over_kinks_and_events() {
+    let mut model = rotor();
+    model["inputs"]["gain"] = json!(0);
+    model["forces"]["motor"]["value"] = json!("=if(input.gain > 0.5, 6 N*m, 0 N*m)");
+    model["joints"]["o"]["lock"] = json!({ "from": "input.torque >= 10 N*m" });
+    let mut own = simulation(&model);
+    own.step_to(1.0).expect("it rests");
+    near(own.velocity()[2], 0.0, 0.0);
+    own.set_input("gain", 1.0).expect("an input");
+    own.step_to(2.0).expect("it turns");
+    near(own.velocity()[2], 3.0, 1e-12);
+    own.set_input("torque", 12.0).expect("an input");
+    let told = own.step_to(3.0).expect("it is locked");
+    assert_eq!(told.len(), 1, "{told:?}");
+    near(told[0].time, 2.0, 1e-9);
+    near(own.velocity()[2], 0.0, 1e-12);
+}
+
+/// A slider-crank whose motor is steered moves as one that follows the same law.
+#[test]
+fn a_steered_driver_goes_on_from_where_it_is() {
+    let mut own: Value =
+        serde_json::from_str(&linkdyn_model::bundled::text("slider-crank").expect("there"))
+            .expect("JSON");
+    own["analysis"] = json!({ "type": "dynamics", "end": 1, "outputs": 11, "solver": { "rtol": 1e-12, "atol": 1e-14 } });
+    own["bodies"]["flag"] =
+        json!({ "mass": 0.1, "inertia": 1e-4, "com": [0.0, -0.1], "points": { "P": [0.0, 0.0] } });
+    let crank = own["joints"]
+        .as_object()
+        .expect("joints")
+        .values()
+        .find_map(|joint| {
+            let ends = joint["between"].as_array()?;
+            ends[1]
+                .as_str()
+                .filter(|end| end.starts_with("crank."))
+                .map(str::to_owned)
+        });
+    let crank = crank.expect("the crank has a pin");
+    own["joints"]["flag"] = json!({ "type": "revolute", "between": [crank, "flag.P"] });
+    let driver = own["drivers"]
+        .as_object()
+        .expect("drivers")
+        .keys()
+        .next()
+        .expect("one")
+        .clone();
+    own["drivers"][&driver]["motion"] =
+        json!({ "type": "constant_velocity", "start": 0.5, "velocity": "0 rad/s" });
+    let made = mechanism(&own);
+    let mut steered = made.steered_simulation(&[&driver]).expect("it starts");
+    steered.set_acceleration(&driver, 4.0).expect("steered");
+    steered.step_to(0.5).expect("it turns");
+    steered.set_acceleration(&driver, -2.0).expect("steered");
+    steered.step_to(1.0).expect("it turns");
+    let value = made
+        .column(&format!("driver.{driver}.value"))
+        .expect("there");
+    near(steered.value(value), 0.5 + 0.5 + 2.0 * 0.5 - 0.25, 1e-12);
+    own["drivers"][&driver]["motion"] =
+        json!({ "type": "polynomial", "coefficients": [0.5, "0 rad/s", "2 rad/s^2"] });
+    own["analysis"]["end"] = json!(0.5);
+    let run = mechanism(&own).run().expect("it runs");
+    let mut again = made.steered_simulation(&[&driver]).expect("it starts");
+    again.set_acceleration(&driver, 4.0).expect("steered");
+    again.step_to(0.5).expect("it turns");
+    for (column, place) in made.columns().map(|(_, column)| column).zip(0..) {
+        let known = run.column(column).last();
+        if known.is_nan() {
+            continue;
+        }
+        near(again.row()[place], known, 1e-8 * known.abs().max(1.0));
+    }
+    let refused = made
+        .simulation()
+        .expect("it starts")
+        .set_acceleration(&driver, 1.0)
+        .expect_err("it follows its motion");
+    assert_eq!(
+        refused.to_string(),
+        format!(
+            "drivers.{driver}: its acceleration can't be set, it follows its motion (begin the simulation with this driver steered)"
+        )
+    );
+}
+
+/// The effort that a driver had, put in as the input of the driver let go, moves the mechanism as the driver did.
+#[test]
+fn released_drivers_are_moved_by_their_effort() {
+    for (name, kind) in [
+        ("excavator", "length"),
+        ("slider-crank", "rotation"),
+        ("parallel-crank", "rotation"),
+    ] {
+        let mut own: Value =
+            serde_json::from_str(&linkdyn_model::bundled::text(name).expect("there"))
+                .expect("JSON");
+        own["analysis"] = json!({ "type": "inverse_dynamics", "end": 0.1, "outputs": 11 });
+        let made = mechanism(&own);
+        let driver = made.model().drivers.keys().next().expect("one").clone();
+        assert_eq!(own["drivers"][&driver]["type"], kind, "{name}");
+        let run = made.run().expect("it runs");
+        let effort = run
+            .column(
+                made.column(&format!("driver.{driver}.effort"))
+                    .expect("there"),
+            )
+            .first();
+        own["analysis"] = json!({ "type": "dynamics", "end": 0.1, "outputs": 11 });
+        let released = mechanism(&own)
+            .model()
+            .release(&driver)
+            .expect("it can be let go");
+        let mut text = released.to_json();
+        // The rates that the driver gives at the start.
+        for (body, known) in &released.bodies {
+            let rate = |word: &str| {
+                made.column(&format!("{body}.{word}"))
+                    .ok()
+                    .map(|column| run.column(column).first())
+            };
+            let _ = known;
+            if let (Some(vx), Some(vy), Some(omega)) = (rate("vx"), rate("vy"), rate("omega")) {
+                text["initial"][body] = json!({ "vx": vx, "vy": vy, "angular_velocity": omega });
+            }
+        }
+        let released = mechanism(&text);
+        let mut free = released.simulation().expect("it starts");
+        free.set_input(&driver, effort).expect("an input");
+        free.step_to(0.0).expect("it starts");
+        for (body, _) in &released.model().bodies {
+            for word in ["ax", "ay", "alpha"] {
+                let name = format!("{body}.{word}");
+                let (Ok(there), Ok(here)) = (made.column(&name), released.column(&name)) else {
+                    continue;
+                };
+                let known = run.column(there).first();
+                near(free.value(here), known, 1e-8 * known.abs().max(1.0));
+            }
+        }
+    }
+}

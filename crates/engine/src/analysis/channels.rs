@@ -176,7 +176,7 @@ impl Channels {
                 ColumnGroup::Stroke(force) => row.push(stroke(system, *force, sample)),
                 ColumnGroup::State(state, wanted) => {
                     row.extend(wanted.iter().map(|quantity| match quantity {
-                        StateQuantity::Value => inputs.states[*state],
+                        StateQuantity::Value => inputs.states[system.inputs.len() + *state],
                         StateQuantity::Rate => system.states[*state].rate.value(&at),
                     }));
                 }

@@ -194,7 +194,8 @@ impl<'s> Replay<'s> {
     /// Takes the state of a row.
     pub fn take(&mut self, row: &[f64]) {
         self.inputs.set_time(self.system, row[0]);
-        let states = self.inputs.states.iter_mut().zip(&self.integrated);
+        let own = &mut self.inputs.states[self.system.inputs.len()..];
+        let states = own.iter_mut().zip(&self.integrated);
         for (state, column) in states {
             column.iter().for_each(|column| *state = row[*column]);
         }

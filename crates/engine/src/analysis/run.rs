@@ -271,7 +271,7 @@ impl Prepared {
     ///
     /// # Errors
     /// What [`Prepared::run`] refuses, a motion that is not integrated, and a start that is impossible.
-    pub fn begin(&self) -> Result<dynamics::Stepped, Stop> {
+    pub fn begin(&self, steered: &[usize]) -> Result<dynamics::Stepped, Stop> {
         let (system, question) = (&self.system, &self.question);
         self.complete(|| {
             if question.kind != Kind::Free {
@@ -280,7 +280,7 @@ impl Prepared {
                 return Err(complaint.hint("use \"dynamics\"").into());
             }
             let start = self.start()?;
-            if start.is_driven(system) {
+            if start.is_driven(system) && steered.is_empty() {
                 let message =
                     "drivers prescribe the whole motion, so that there is nothing to step";
                 let complaint = Complaint::new("drivers", message);
@@ -288,7 +288,7 @@ impl Prepared {
             }
             let mut settings = question.dynamics(system)?;
             settings.watched = None;
-            dynamics::Stepped::new(system, start, &settings, &question.following)
+            dynamics::Stepped::new(system, start, &settings, &question.following, steered)
         })
     }
 

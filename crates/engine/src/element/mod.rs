@@ -141,7 +141,7 @@ pub struct Kinematics<'a, T = f64> {
     pub offset: &'a [[Vector<T>; 3]],
     /// The sides of kinks that formulas hold, and behind them the stretches of cams; empty where each is on that of its values.
     pub sides: &'a [i32],
-    /// Integrated states.
+    /// Numbers from outside, then integrated states.
     pub states: &'a [f64],
     /// What contacts remember.
     pub contacts: &'a [Contact],

@@ -56,7 +56,7 @@ pub enum Quantity {
     Time,
     /// The value of the driver with this index \[rad or m\].
     Drive(usize),
-    /// The integrated state with this index.
+    /// The number from outside, or behind these the integrated state, with this index.
     State(usize),
     /// Something measured.
     Value(Measured),

@@ -20,14 +20,27 @@ pub struct Inputs {
     pub(crate) memories: Vec<f64>,
     /// Sides of the formulas' kinks that a motion holds; empty where none are held.
     pub(crate) sides: Vec<i32>,
-    /// Integrated states.
+    /// Numbers from outside, then integrated states.
     pub(crate) states: Vec<f64>,
     /// What is added to φ (m) [m or rad]: gaps that joints are given; empty where there are none.
     pub gaps: Vec<f64>,
     /// Forces from outside the model.
     pub(crate) pushes: Pushes,
+    /// Drivers whose acceleration was set, in the place of their laws.
+    pub(crate) steered: Vec<Steered>,
     /// \[s\]
     pub time: f64,
+}
+
+/// A driver that moves with constant acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Steered {
+    /// Its index.
+    pub driver: usize,
+    /// Since when \[s\].
+    pub since: f64,
+    /// Its value then, its rate, and its acceleration [rad or m, 1/s, 1/s²].
+    pub jet: Jet,
 }
 
 impl Inputs {
@@ -46,9 +59,15 @@ impl Inputs {
             contacts: vec![Contact::default(); system.contacts.len()],
             memories: vec![0.0; system.dependent_forces.len()],
             sides: Vec::new(),
-            states: system.states.iter().map(|state| state.start).collect(),
+            states: {
+                let given = system.inputs.iter().map(|input| input.start);
+                given
+                    .chain(system.states.iter().map(|state| state.start))
+                    .collect()
+            },
             gaps: Vec::new(),
             pushes: Pushes::None,
+            steered: Vec::new(),
             time: 0.0,
         }
     }
@@ -57,6 +76,14 @@ impl Inputs {
     pub fn set_time(&mut self, system: &System, time: f64) {
         self.time = time;
         system.drive(time, &mut self.drive);
+        for Steered { driver, since, jet } in &self.steered {
+            let (passed, [value, rate, acceleration]) = (time - since, *jet);
+            self.drive[*driver] = [
+                value + passed * (rate + 0.5 * passed * acceleration),
+                rate + passed * acceleration,
+                acceleration,
+            ];
+        }
     }
 }
 

@@ -35,6 +35,7 @@ impl System {
                     Axis::Theta => Measure::Angle,
                 },
                 share: 1.0,
+                is_steered: false,
             });
             system.push_block(Arc::new(coordinate), Origin::Driver(DriverId(id)));
         }

@@ -30,6 +30,7 @@ mod timed;
 
 pub use block::Block;
 pub(crate) use contacts::{LOCK, ONE_WAY};
+pub(crate) use eval::Steered;
 pub use eval::{Evaluation, Inputs};
 pub use joint::JointData;
 pub use mass::Mass;
@@ -46,7 +47,7 @@ pub(crate) use scale::larger;
 pub use section::SectionData;
 pub(crate) use slopes::Slopes;
 pub(crate) use standing::Standing;
-pub(crate) use states::StateData;
+pub(crate) use states::{InputData, StateData};
 pub(crate) use timed::{TimedData, Trigger};
 
 use crate::element::cam::Cam;
@@ -189,6 +190,15 @@ pub struct DriverData {
     pub measure: Measure,
     /// Its part of the work that drivers share \[–\].
     pub share: f64,
+    /// Whether its acceleration may be set while a motion goes on.
+    pub is_steered: bool,
+}
+
+impl DriverData {
+    /// Whether it never moves.
+    pub fn is_still(&self) -> bool {
+        !self.is_steered && self.law.is_constant()
+    }
 }
 
 /// A body point among the results.
@@ -252,6 +262,8 @@ pub struct System {
     pub(crate) force_data: Vec<ForceData>,
     /// Those that are functions of what moves, in their order.
     pub(crate) formulas: Vec<Arc<Formula>>,
+    /// Numbers from outside that formulas name.
+    pub(crate) inputs: Vec<InputData>,
     /// Integrated states, whose rates are formulas, too.
     pub(crate) states: Vec<StateData>,
     /// Scales of their kinks, in SI, and behind them of those of cams.
@@ -445,7 +457,7 @@ impl System {
 
     /// Whether kinetic and potential energy stay constant together: no moving drivers, dampers or loads.
     pub(crate) fn is_conservative(&self) -> bool {
-        self.drivers.iter().all(|driver| driver.law.is_constant())
+        self.drivers.iter().all(DriverData::is_still)
             && self.contacts.is_empty()
             && self.dependent_forces.is_empty()
             && self.forces.iter().all(|force| force.is_conservative())

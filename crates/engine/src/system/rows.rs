@@ -213,6 +213,7 @@ impl System {
             measured: Vec::new(),
             outputs: Vec::new(),
             formulas: Vec::new(),
+            inputs: Vec::new(),
             states: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),

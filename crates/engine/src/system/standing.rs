@@ -82,7 +82,7 @@ impl Standing {
         let may_hold = match block.origin {
             // The offset of a clearance link is no constant.
             Origin::Joint(_) => system.links == 0,
-            Origin::Driver(driver) => system.drivers[driver.0].law.is_constant(),
+            Origin::Driver(driver) => system.drivers[driver.0].is_still(),
             Origin::Stop(_) | Origin::Initial(_) => false,
         };
         let mut is_new = false;

@@ -1,7 +1,16 @@
-//! Integrated states of a model.
+//! Numbers from outside, and integrated states of a model.
 
 use super::System;
 use crate::element::formula::Strength;
+
+/// A number from outside.
+#[derive(Clone)]
+pub(crate) struct InputData {
+    /// Its name.
+    pub name: String,
+    /// Its value until it is set.
+    pub start: f64,
+}
 
 /// An integrated state.
 #[derive(Clone)]

@@ -163,6 +163,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     motions::motions(&mut rules);
     tables::tables(&mut rules);
     forces::formulas(&mut rules);
+    states::inputs(&mut rules);
     states::states(&mut rules);
     timed::events(&mut rules);
     names::initial(&mut rules);

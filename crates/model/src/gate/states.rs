@@ -1,4 +1,4 @@
-//! Integrated states: their rates, and where they are integrated.
+//! Inputs, and integrated states: their rates, and where they are integrated.
 
 use super::Rules;
 use super::timed::not_free;
@@ -7,6 +7,23 @@ use crate::error::Complaint;
 use crate::expression::Quantity;
 use crate::response::Catalogue;
 use crate::table::unit;
+
+/// All rules of inputs.
+pub(super) fn inputs(rules: &mut Rules<'_>) {
+    for (name, input) in &rules.model.inputs {
+        let path = format!("inputs.{name}");
+        if Catalogue::is_of_bodies(name) {
+            let message = format!("input.{name} would be a column of a body called \"input\"");
+            rules.complain(&path, message, "give the input another name");
+        }
+        if !input.start.is_finite() {
+            rules.complain(&path, "a finite number is expected", "in SI");
+        }
+        if let Err(complaint) = unit(&input.unit) {
+            rules.complaints.push(Complaint { path, ..complaint });
+        }
+    }
+}
 
 /// All rules of states.
 pub(super) fn states(rules: &mut Rules<'_>) {

@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 use super::{Printer, plain};
 use crate::event::Event;
 use crate::formula::Formula;
+use crate::input::ModelInput;
 use crate::node::{Kind, Node};
 use crate::response::{Response, self_contained};
 use crate::shape::Shape;
@@ -42,6 +43,7 @@ impl Printer<'_> {
             Shape::Event => Event::deserialize(&tree)
                 .map(|event| event.self_contained().into())
                 .ok(),
+            Shape::Input => input(&tree),
             Shape::State(_) => state(&tree),
             Shape::Asked(_) => self.design(&tree, written),
             _ => None,
@@ -125,11 +127,21 @@ fn formula(tree: &Tree) -> Option<Value> {
     Some(Value::Object(out))
 }
 
+fn input(tree: &Tree) -> Option<Value> {
+    let input = ModelInput::deserialize(tree).ok()?;
+    Some(with_unit(input.start, &input.unit).into())
+}
+
+/// A number in SI as text.
+fn with_unit(value: f64, unit: &str) -> String {
+    format!("{value:?} {unit}").trim_end().to_owned()
+}
+
 fn state(tree: &Tree) -> Option<Value> {
     let state = State::deserialize(tree).ok()?;
     let rate = self_contained(&state.rate.formula, &state.rate.parameters);
-    let start = format!("{:?} {}", state.start, state.unit);
-    Some(json!({ "rate": rate, "start": start.trim_end() }))
+    let start = with_unit(state.start, &state.unit);
+    Some(json!({ "rate": rate, "start": start }))
 }
 
 /// An object without keys that hold nothing.

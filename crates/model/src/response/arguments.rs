@@ -55,6 +55,9 @@ impl Catalogue {
         let known = |name: &str| self.drives(name).is_some();
         match name.split_once('.')? {
             ("driver", driver) if known(driver) => Some(Argument::Driver(driver.to_owned())),
+            ("input", input) if self.input(input).is_some() => {
+                Some(Argument::Input(input.to_owned()))
+            }
             ("state", state) if self.state(state).is_some() => {
                 Some(Argument::State(state.to_owned()))
             }
@@ -89,6 +92,11 @@ impl Catalogue {
             }
             (_, _) => None,
         }
+    }
+
+    /// The dimension of an input, where there is one of this name.
+    pub(crate) fn input(&self, name: &str) -> Option<Powers> {
+        Some(self.inputs.iter().find(|one| one.0 == name)?.1)
     }
 
     /// The dimension of a state, where there is one of this name.
@@ -148,6 +156,7 @@ impl Catalogue {
             names.extend(words.map(|row| format!("force.{}.{}", spring.name, row.0)));
         }
         names.extend(self.drivers.iter().map(|one| format!("driver.{}", one.0)));
+        names.extend(self.inputs.iter().map(|one| format!("input.{}", one.0)));
         names.extend(self.states.iter().map(|one| format!("state.{}", one.0)));
         names.extend(self.measured());
         names

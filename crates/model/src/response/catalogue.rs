@@ -26,6 +26,8 @@ pub struct Catalogue {
     pub(super) outputs: Vec<(String, Result<Powers, Complaint>)>,
     /// Tables with the dimensions of their columns.
     pub(super) tables: Vec<(String, [Powers; 2])>,
+    /// Inputs with their dimensions.
+    pub(super) inputs: Vec<(String, Powers)>,
     /// States with their dimensions.
     pub(super) states: Vec<(String, Powers)>,
     /// Measures, and whether each is an angle.
@@ -128,17 +130,22 @@ impl Catalogue {
             // the gate has complained of what is no unit
             (name.clone(), table.columns().unwrap_or_default())
         });
+        let powers = |unit: &str| crate::table::unit(unit).map(|unit| unit.powers);
+        let inputs = model.inputs.iter();
+        let inputs =
+            inputs.map(|(name, input)| (name.clone(), powers(&input.unit).unwrap_or_default()));
         let states = model.states.iter();
-        let states = states.map(|(name, state)| {
-            let unit = crate::table::unit(&state.unit);
-            (
-                name.clone(),
-                unit.map(|unit| unit.powers).unwrap_or_default(),
-            )
-        });
+        let states =
+            states.map(|(name, state)| (name.clone(), powers(&state.unit).unwrap_or_default()));
         catalogue
             .with_tables(tables.collect())
+            .with_inputs(inputs.collect())
             .with_states(states.collect())
+    }
+
+    /// The same with inputs.
+    pub(crate) fn with_inputs(self, inputs: Vec<(String, Powers)>) -> Self {
+        Catalogue { inputs, ..self }
     }
 
     /// The same with states.

@@ -3,6 +3,7 @@
 use indexmap::IndexMap;
 
 use crate::event::Event;
+use crate::input::ModelInput;
 use crate::tree::Tree;
 
 use crate::optimise::{Constraint, Sought};
@@ -37,6 +38,7 @@ pub fn filler(shape: &Shape) -> Tree {
         Shape::Entries | Shape::Entry => Tree::Null,
         Shape::Curve(_) => Tree::of(&Table::default()),
         Shape::Event => Tree::of(&Event::new("")),
+        Shape::Input => Tree::of(&ModelInput::default()),
         Shape::State(_) => Tree::of(&State::default()),
         Shape::List(..) | Shape::Table => Tree::List(Vec::new()),
         Shape::Response => Tree::of(&Response::new("")),

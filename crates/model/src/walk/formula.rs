@@ -132,17 +132,22 @@ impl Walk<'_> {
     /// An expression of what moves, and the parameters that it names; `None` if one of these has no value.
     pub(super) fn moving(&mut self, text: &str) -> Result<Moved, Misfit> {
         let root = &self.source.root;
-        let (tables, states) = (&self.tables, &self.states);
+        let (tables, inputs, states) = (&self.tables, &self.inputs, &self.states);
         let catalogue = self.catalogue.take().unwrap_or_else(|| {
             let known = tables.iter();
             let known = known.map(|(name, table, _)| {
                 let columns = table.as_ref().and_then(|table| table.columns().ok());
                 (name.clone(), columns.unwrap_or_default())
             });
+            let inputs = inputs.iter().filter_map(|(name, input)| {
+                let powers = crate::table::unit(&input.as_ref()?.unit).ok()?.powers;
+                Some((name.clone(), powers))
+            });
             let states = states.iter();
             let states = states.filter_map(|one| Some((one.name.clone(), one.powers?)));
             Catalogue::of_file(root)
                 .with_tables(known.collect())
+                .with_inputs(inputs.collect())
                 .with_states(states.collect())
         });
         let read = self.parameters.moving(text, &Arguments::of(&catalogue));

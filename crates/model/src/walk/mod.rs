@@ -6,6 +6,7 @@
 
 mod filler;
 mod formula;
+mod input;
 mod lists;
 mod object;
 mod optimise;
@@ -31,6 +32,7 @@ use crate::error::Complaint;
 use crate::examples;
 use crate::expression::{Found, Parameter, Parameters, Recorded};
 use crate::gate::Holes;
+use crate::input::ModelInput;
 use crate::node::{Kind, Node, Origin, members};
 use crate::response::Catalogue;
 use crate::shape::{Bound, Choice, Shape};
@@ -149,6 +151,8 @@ pub struct Walk<'a> {
     tolerances: HashMap<String, Tolerance>,
     /// The tables, which are read before everything else, and whether a formula calls each.
     tables: Vec<(String, Option<Table>, bool)>,
+    /// The inputs, which are read before everything else; of one with a fault there is none.
+    inputs: Vec<(String, Option<ModelInput>)>,
     /// The states, which are read before everything else, with their dimensions as far as they are known.
     states: Vec<Early>,
     /// The names of results, once they were needed.
@@ -186,6 +190,7 @@ impl<'a> Walk<'a> {
             undotted: Vec::new(),
             tolerances: HashMap::new(),
             tables: Vec::new(),
+            inputs: Vec::new(),
             states: Vec::new(),
             catalogue: None,
             record: None,
@@ -208,6 +213,7 @@ impl<'a> Walk<'a> {
     fn file(&mut self) -> Tree {
         let source = self.source;
         self.read_tables(source.root.get("tables"));
+        self.read_inputs(source.root.get("inputs"));
         self.read_states(source.root.get("states"));
         self.value(
             &source.root,
@@ -314,6 +320,7 @@ impl<'a> Walk<'a> {
             Shape::List(of, least) => self.list(node, of, (*least, None), path, driven),
             Shape::Table => self.table(node, path, driven),
             Shape::Curve(_) => self.curve(node, path),
+            Shape::Input => self.input(node, path),
             Shape::State(_) => self.state(node, path),
             Shape::Event => self.event(node, path),
             // whoever knows the units reads them

@@ -42,10 +42,11 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether a formula can't be read as long as a table or a state has a fault.
+    /// Whether a formula can't be read as long as a table, an input or a state has a fault.
     pub(super) fn has_faulty_function(&self) -> bool {
         let states = self.states.iter().any(|one| one.state.is_none());
-        states || self.tables.iter().any(|(_, table, _)| table.is_none())
+        let inputs = self.inputs.iter().any(|(_, input)| input.is_none());
+        states || inputs || self.tables.iter().any(|(_, table, _)| table.is_none())
     }
 
     /// A warning per table that no formula calls.

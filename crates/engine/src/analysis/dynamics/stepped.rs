@@ -11,7 +11,7 @@ use super::start::Start;
 use crate::analysis::control::{Control, Stop};
 use crate::analysis::derived_columns::{DerivedColumns, DerivedSelection};
 use crate::analysis::rows::Columns;
-use crate::system::{ForceLaw, Pushes, System};
+use crate::system::{ForceLaw, Pushes, Steered, System};
 use linkdyn_model::error::Complaint;
 use linkdyn_output::Event;
 use self_cell::self_cell;
@@ -50,7 +50,7 @@ struct SteppedMotion<'s> {
 }
 
 impl Stepped {
-    /// At t = 0, with these columns behind those that the run has.
+    /// At t = 0, with these columns behind those that the run has, and these drivers steered.
     ///
     /// # Errors
     /// Faults of the input, and a start that is impossible.
@@ -59,9 +59,13 @@ impl Stepped {
         start: Start,
         settings: &Settings,
         following: &DerivedSelection,
+        steered: &[usize],
     ) -> Result<Self, Stop> {
         let mut system = system.clone();
         system.is_pushed = true;
+        for driver in steered {
+            system.drivers[*driver].is_steered = true;
+        }
         // The first step is chosen by how far the model's run would go.
         let end = settings.instants.last().copied();
         let end = end.filter(|end| *end > 0.0).unwrap_or(system.scale.time);
@@ -154,6 +158,51 @@ impl Stepped {
     fn push(&mut self, pushes: Pushes) {
         self.cell
             .with_dependent_mut(|_, kept| kept.now.push(pushes));
+    }
+
+    /// Names of the inputs.
+    pub fn inputs(&self) -> impl Iterator<Item = &str> {
+        self.system().inputs.iter().map(|input| input.name.as_str())
+    }
+
+    /// The value of an input.
+    pub fn input(&self, input: usize) -> f64 {
+        (self.cell).with_dependent(|_, kept| kept.now.flow.equations.inputs.states[input])
+    }
+
+    /// An input has this value from now on.
+    pub fn set_input(&mut self, input: usize, value: f64) {
+        self.cell.with_dependent_mut(|_, kept| {
+            kept.now.flow.equations.inputs.states[input] = value;
+            kept.now.is_pushed_anew = true;
+        });
+    }
+
+    /// A driver goes on from where it is, with this acceleration [rad/s² or m/s²] from now on.
+    ///
+    /// # Errors
+    /// Where it was not said at the beginning that it is steered.
+    pub fn set_acceleration(&mut self, driver: usize, acceleration: f64) -> Result<(), Stop> {
+        if !self.system().drivers[driver].is_steered {
+            let name = &self.system().drivers[driver].name;
+            let message = "its acceleration can't be set, it follows its motion";
+            let complaint = Complaint::new(format!("drivers.{name}"), message);
+            return Err(complaint
+                .hint("begin the simulation with this driver steered")
+                .into());
+        }
+        let time = self.time;
+        self.cell.with_dependent_mut(|scene, kept| {
+            let inputs = &mut kept.now.flow.equations.inputs;
+            inputs.set_time(scene.system(), time);
+            let [value, rate, _] = inputs.drive[driver];
+            inputs.steered.retain(|one| one.driver != driver);
+            let jet = [value, rate, acceleration];
+            let since = time;
+            inputs.steered.push(Steered { driver, since, jet });
+            kept.now.is_pushed_anew = true;
+        });
+        Ok(())
     }
 
     /// Keeps the motion as it is.

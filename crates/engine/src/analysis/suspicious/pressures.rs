@@ -93,6 +93,7 @@ fn is_pressure(model: &Model, catalogue: &Catalogue, formula: &Formula) -> bool 
         Argument::Body(..)
         | Argument::Turn(..)
         | Argument::Time
+        | Argument::Input(_)
         | Argument::State(_)
         | Argument::Measure(..)
         | Argument::Point(..)

@@ -189,6 +189,8 @@ impl<'s> Reduced<'s> {
         inputs.contacts.clone_from(&self.inputs.contacts);
         inputs.sides.clone_from(&self.inputs.sides);
         inputs.states.clone_from(&self.inputs.states);
+        inputs.steered.clone_from(&self.inputs.steered);
+        inputs.set_time(system, time);
         inputs.pushes.clone_from(&self.inputs.pushes);
         // A journal that rolls round and round has no closed curve, and does so for a short time only.
         let is_curve = is_curve(system, columns.len()) && !holds.contains(&Hold::Sticks);
@@ -397,5 +399,5 @@ fn wants_factors(system: &System) -> bool {
 /// Whether the positions of a mechanism with so many degrees of freedom are a curve of one coordinate.
 pub fn is_curve(system: &System, freedom: usize) -> bool {
     let mut drivers = system.drivers.iter();
-    freedom == 1 && drivers.all(|driver| driver.law.is_constant())
+    freedom == 1 && drivers.all(|driver| driver.is_still())
 }

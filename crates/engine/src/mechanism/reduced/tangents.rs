@@ -38,7 +38,7 @@ impl Tangents {
             balance: vec![0.0; if f == 1 { 0 } else { n }],
             rates: vec![0.0; f],
             momenta: Vec::with_capacity(if f > 1 { n } else { 0 }),
-            still: drivers.all(|driver| driver.law.is_constant()),
+            still: drivers.all(|driver| driver.is_still()),
         }
     }
 

@@ -77,6 +77,7 @@ impl Compiler<'_> {
                 law: law(&driver.motion),
                 measure,
                 share: driver.share.unwrap_or(1.0),
+                is_steered: false,
             });
             self.push_block(constraint, Origin::Driver(DriverId(k)));
         }

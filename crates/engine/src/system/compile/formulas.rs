@@ -8,7 +8,8 @@ use crate::element::quantity::{Measured, Quantity};
 use crate::element::{Axis, BodyId, Marker};
 use crate::motion::{Curve, Law, Shape};
 use crate::system::{
-    DriverId, DriverRole, MeasuredColumn, OutputKind, OutputRatio, StateData, TimedData, Trigger,
+    DriverId, DriverRole, InputData, MeasuredColumn, OutputKind, OutputRatio, StateData, TimedData,
+    Trigger,
 };
 use linkdyn_linear::math::{Vec2, perp, unit};
 use linkdyn_model::event::Event;
@@ -91,6 +92,11 @@ impl Compiler<'_> {
 
     /// Integrated states, behind all forces.
     pub(super) fn add_states(&mut self) {
+        let inputs = self.model.inputs.iter().map(|(name, input)| InputData {
+            name: name.clone(),
+            start: input.start,
+        });
+        self.system.inputs = inputs.collect();
         for (index, (name, state)) in self.model.states.iter().enumerate() {
             let force = self.system.force_data.len() + index;
             let rate = self.formula(&state.rate, force);
@@ -221,10 +227,16 @@ impl Compiler<'_> {
     fn quantities(&self, argument: &Argument) -> Vec<Quantity> {
         let (measured, order) = match argument {
             Argument::Time => return vec![Quantity::Time],
+            Argument::Input(name) => {
+                // the formula names one that there is
+                let index = self.model.inputs.get_index_of(name);
+                return vec![Quantity::State(index.unwrap_or_default())];
+            }
             Argument::State(name) => {
                 // the formula names one that there is
                 let index = self.model.states.get_index_of(name);
-                return vec![Quantity::State(index.unwrap_or_default())];
+                let before = self.model.inputs.len();
+                return vec![Quantity::State(before + index.unwrap_or_default())];
             }
             Argument::Driver(name) => {
                 // the formula names one that there is

@@ -176,6 +176,7 @@ impl<'a> Compiler<'a> {
             measured: Vec::new(),
             outputs: Vec::new(),
             formulas: Vec::new(),
+            inputs: Vec::new(),
             states: Vec::new(),
             kinks: Vec::new(),
             dependent_forces: Vec::new(),

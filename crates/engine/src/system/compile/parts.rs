@@ -85,7 +85,8 @@ impl Compiler<'_> {
             let braking = self.weighted(vec![-by_voltage * by_current], vec![omega]);
             Strength::Sum(vec![(by_voltage, voltage), (1.0, braking)])
         } else {
-            let current = Quantity::State(self.model.states.len() + self.integrated.len());
+            let before = self.model.inputs.len() + self.model.states.len();
+            let current = Quantity::State(before + self.integrated.len());
             let factors = vec![-by_current / inductance, -resistance / inductance];
             let losses = self.weighted(factors, vec![omega, current]);
             let torque = self.weighted(vec![by_current], vec![current]);

@@ -65,10 +65,7 @@ impl<'s> Flow<'s> {
             lag: 0.0,
             phases,
             sustained: vec![None; system.contacts.len()],
-            moving_drivers: system
-                .drivers
-                .iter()
-                .any(|driver| !driver.law.is_constant()),
+            moving_drivers: system.drivers.iter().any(|driver| !driver.is_still()),
             refusal: None,
             lambda: vec![0.0; system.m()],
             marks: Marks::new([system.guards(), system.kinked_arguments()]),
@@ -182,7 +179,9 @@ impl<'s> Flow<'s> {
 
     fn take_bristles(&mut self, y: &[f64]) {
         let inputs = &mut self.equations.inputs;
-        let states = inputs.states.iter_mut().zip(self.layout.states());
+        let own = self.layout.states();
+        let given = inputs.states.len() - own.len();
+        let states = inputs.states[given..].iter_mut().zip(own);
         states.for_each(|(state, component)| *state = y[component]);
         for (contact, memory) in inputs.contacts.iter_mut().enumerate() {
             if let Some(component) = self.layout.bristle(contact) {
