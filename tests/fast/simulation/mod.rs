@@ -247,14 +247,9 @@ fn rotor() -> Value {
 #[test]
 fn inputs_are_constant_until_they_are_set() {
     let made = mechanism(&rotor());
-    assert_eq!(
-        made.with(&[(made.parameter("first").expect("there"), 3.0)])
-            .expect("sound")
-            .model()
-            .inputs["torque"]
-            .start,
-        6.0
-    );
+    let first = made.parameter("first").expect("there");
+    let other = made.with([(first, newton_metre(3.0))]).expect("sound");
+    assert_eq!(other.model().inputs["torque"].start, 6.0);
     let mut own = made.simulation().expect("it starts");
     assert_eq!(own.inputs().collect::<Vec<_>>(), ["torque", "gain"]);
     own.step_to(1.0).expect("it turns");
@@ -351,7 +346,7 @@ fn a_steered_driver_goes_on_from_where_it_is() {
     again.set_acceleration(&driver, 4.0).expect("steered");
     again.step_to(0.5).expect("it turns");
     for (column, place) in made.columns().map(|(_, column)| column).zip(0..) {
-        let known = run.column(column).last();
+        let known = run.column(column).last().expect("rows");
         if known.is_nan() {
             continue;
         }
@@ -391,7 +386,8 @@ fn released_drivers_are_moved_by_their_effort() {
                 made.column(&format!("driver.{driver}.effort"))
                     .expect("there"),
             )
-            .first();
+            .get(0)
+            .expect("rows");
         own["analysis"] = json!({ "type": "dynamics", "end": 0.1, "outputs": 11 });
         let released = mechanism(&own)
             .model()
@@ -403,7 +399,7 @@ fn released_drivers_are_moved_by_their_effort() {
             let rate = |word: &str| {
                 made.column(&format!("{body}.{word}"))
                     .ok()
-                    .map(|column| run.column(column).first())
+                    .map(|column| run.column(column).get(0).expect("rows"))
             };
             let _ = known;
             if let (Some(vx), Some(vy), Some(omega)) = (rate("vx"), rate("vy"), rate("omega")) {
@@ -420,7 +416,7 @@ fn released_drivers_are_moved_by_their_effort() {
                 let (Ok(there), Ok(here)) = (made.column(&name), released.column(&name)) else {
                     continue;
                 };
-                let known = run.column(there).first();
+                let known = run.column(there).get(0).expect("rows");
                 near(free.value(here), known, 1e-8 * known.abs().max(1.0));
             }
         }
