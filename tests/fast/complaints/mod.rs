@@ -61,7 +61,7 @@ const GEAR: &str = r#""axis": [1, 0] },
     "g": { "type": "gear", "between": ["crank.O", "rocker.Q"], "ratio": -2 }"#;
 
 /// The bad models by theme.
-const CASES: [&[Case]; 16] = [
+const CASES: [&[Case]; 17] = [
     cases::words::CASES,
     cases::yielding::CASES,
     cases::expressions::CASES,
@@ -76,6 +76,7 @@ const CASES: [&[Case]; 16] = [
     cases::parts::CASES,
     cases::sections::CASES,
     cases::elastic::CASES,
+    cases::inputs::CASES,
     cases::sets::CASES,
     cases::slips::CASES,
 ];

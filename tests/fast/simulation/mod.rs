@@ -268,7 +268,7 @@ fn inputs_are_constant_until_they_are_set() {
     let unknown = own.set_input("torqe", 1.0).expect_err("there is none");
     assert_eq!(
         unknown.to_string(),
-        "there is no input \"torqe\" (did you mean \"torque\"?)"
+        "no input is called \"torqe\"; did you mean \"torque\"?"
     );
     let endless = own.set_input("torque", f64::NAN).expect_err("no number");
     assert_eq!(
@@ -282,7 +282,7 @@ fn inputs_are_constant_until_they_are_set() {
 fn inputs_may_jump_over_kinks_and_events() {
     let mut model = rotor();
     model["inputs"]["gain"] = json!(0);
-    model["forces"]["motor"]["value"] = json!("=if(input.gain > 0.5, 6 N*m, 0 N*m)");
+    model["forces"]["motor"]["value"] = json!("=6 N*m*step(input.gain - 0.5)");
     model["joints"]["o"]["lock"] = json!({ "from": "input.torque >= 10 N*m" });
     let mut own = simulation(&model);
     own.step_to(1.0).expect("it rests");
@@ -327,7 +327,7 @@ fn a_steered_driver_goes_on_from_where_it_is() {
         .expect("one")
         .clone();
     own["drivers"][&driver]["motion"] =
-        json!({ "type": "constant_velocity", "start": 0.5, "velocity": "0 rad/s" });
+        json!({ "type": "constant_velocity", "start": "0.5 rad", "velocity": "0 rad/s" });
     let made = mechanism(&own);
     let mut steered = made.steered_simulation(&[&driver]).expect("it starts");
     steered.set_acceleration(&driver, 4.0).expect("steered");
@@ -339,7 +339,7 @@ fn a_steered_driver_goes_on_from_where_it_is() {
         .expect("there");
     near(steered.value(value), 0.5 + 0.5 + 2.0 * 0.5 - 0.25, 1e-12);
     own["drivers"][&driver]["motion"] =
-        json!({ "type": "polynomial", "coefficients": [0.5, "0 rad/s", "2 rad/s^2"] });
+        json!({ "type": "polynomial", "coefficients": ["0.5 rad", "0 rad/s", "2 rad/s^2"] });
     own["analysis"]["end"] = json!(0.5);
     let run = mechanism(&own).run().expect("it runs");
     let mut again = made.steered_simulation(&[&driver]).expect("it starts");
@@ -409,7 +409,8 @@ fn released_drivers_are_moved_by_their_effort() {
         let released = mechanism(&text);
         let mut free = released.simulation().expect("it starts");
         free.set_input(&driver, effort).expect("an input");
-        free.step_to(0.0).expect("it starts");
+        // What is read is what the forces until now have done.
+        free.step_to(1e-9).expect("it starts");
         for (body, _) in &released.model().bodies {
             for word in ["ax", "ay", "alpha"] {
                 let name = format!("{body}.{word}");
@@ -417,7 +418,7 @@ fn released_drivers_are_moved_by_their_effort() {
                     continue;
                 };
                 let known = run.column(there).get(0).expect("rows");
-                near(free.value(here), known, 1e-8 * known.abs().max(1.0));
+                near(free.value(here), known, 1e-6 * known.abs().max(1.0));
             }
         }
     }

@@ -8,6 +8,7 @@ pub mod clearances;
 pub mod drivers;
 pub mod elastic;
 pub mod expressions;
+pub mod inputs;
 pub mod joints;
 pub mod laws;
 pub mod parts;
