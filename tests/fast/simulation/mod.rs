@@ -271,10 +271,8 @@ fn inputs_are_constant_until_they_are_set() {
         "no input is called \"torqe\"; did you mean \"torque\"?"
     );
     let endless = own.set_input("torque", f64::NAN).expect_err("no number");
-    assert_eq!(
-        endless.to_string(),
-        "inputs.torque: NaN is not a finite number"
-    );
+    let said = endless.to_string();
+    assert!(said.ends_with("NaN is not a finite number"), "{said}");
 }
 
 /// What an input turns over at once is an event at once: a step of a formula, and a lock that closes.
@@ -357,29 +355,26 @@ fn a_steered_driver_goes_on_from_where_it_is() {
         .expect("it starts")
         .set_acceleration(&driver, 1.0)
         .expect_err("it follows its motion");
-    assert_eq!(
-        refused.to_string(),
-        format!(
-            "drivers.{driver}: its acceleration can't be set, it follows its motion (begin the simulation with this driver steered)"
-        )
-    );
+    let said = refused.to_string();
+    let known = "its acceleration can't be set, it follows its motion (begin the simulation with this driver steered)";
+    assert!(said.ends_with(known), "{said}");
 }
 
 /// The effort that a driver had, put in as the input of the driver let go, moves the mechanism as the driver did.
 #[test]
 fn released_drivers_are_moved_by_their_effort() {
-    for (name, kind) in [
+    for (own_name, kind) in [
         ("excavator", "length"),
         ("slider-crank", "rotation"),
         ("parallel-crank", "rotation"),
     ] {
         let mut own: Value =
-            serde_json::from_str(&linkdyn_model::bundled::text(name).expect("there"))
+            serde_json::from_str(&linkdyn_model::bundled::text(own_name).expect("there"))
                 .expect("JSON");
         own["analysis"] = json!({ "type": "inverse_dynamics", "end": 0.1, "outputs": 11 });
         let made = mechanism(&own);
         let driver = made.model().drivers.keys().next().expect("one").clone();
-        assert_eq!(own["drivers"][&driver]["type"], kind, "{name}");
+        assert_eq!(own["drivers"][&driver]["type"], kind, "{own_name}");
         let run = made.run().expect("it runs");
         let effort = run
             .column(
@@ -395,13 +390,12 @@ fn released_drivers_are_moved_by_their_effort() {
             .expect("it can be let go");
         let mut text = released.to_json();
         // The rates that the driver gives at the start.
-        for (body, known) in &released.bodies {
+        for body in released.bodies.keys() {
             let rate = |word: &str| {
                 made.column(&format!("{body}.{word}"))
                     .ok()
                     .map(|column| run.column(column).get(0).expect("rows"))
             };
-            let _ = known;
             if let (Some(vx), Some(vy), Some(omega)) = (rate("vx"), rate("vy"), rate("omega")) {
                 text["initial"][body] = json!({ "vx": vx, "vy": vy, "angular_velocity": omega });
             }
@@ -411,15 +405,21 @@ fn released_drivers_are_moved_by_their_effort() {
         free.set_input(&driver, effort).expect("an input");
         // What is read is what the forces until now have done.
         free.step_to(1e-9).expect("it starts");
-        for (body, _) in &released.model().bodies {
-            for word in ["ax", "ay", "alpha"] {
-                let name = format!("{body}.{word}");
-                let (Ok(there), Ok(here)) = (made.column(&name), released.column(&name)) else {
-                    continue;
-                };
-                let known = run.column(there).get(0).expect("rows");
-                near(free.value(here), known, 1e-6 * known.abs().max(1.0));
-            }
+        let names = released.model().bodies.keys();
+        let names =
+            names.flat_map(|body| ["ax", "ay", "alpha"].map(|word| format!("{body}.{word}")));
+        let both = names.filter_map(|name| {
+            let known = run.column(made.column(&name).ok()?).get(0)?;
+            Some((free.value(released.column(&name).ok()?), known, name))
+        });
+        let both: Vec<(f64, f64, String)> = both.collect();
+        assert!(both.len() > 5, "{own_name}: {}", both.len());
+        let size = both
+            .iter()
+            .fold(0.0, |size: f64, one| size.max(one.1.abs()));
+        for (found, known, name) in both {
+            let off = (found - known).abs();
+            assert!(off <= 1e-6 * size, "{own_name} {name}: {found} {known}");
         }
     }
 }
