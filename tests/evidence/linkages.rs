@@ -227,6 +227,10 @@ fn by_degrees(imported: &Imported, degrees: usize, columns: &[&str]) -> Vec<Vec<
 
 /// Printed digits of a case agree to the rounding of MATLAB's and of our sums, relative to the largest.
 fn agrees(found: &[f64], rows: &[(usize, f64)]) {
+    agrees_to(2e-12, found, rows);
+}
+
+fn agrees_to(share: f64, found: &[f64], rows: &[(usize, f64)]) {
     let largest = rows
         .iter()
         .map(|(_, value)| value.abs())
@@ -234,7 +238,7 @@ fn agrees(found: &[f64], rows: &[(usize, f64)]) {
     for (row, expected) in rows {
         let off = (found[*row] - expected).abs() / largest;
         assert!(
-            off < 2e-12,
+            off < share,
             "row {row}: {} is not {expected}, off by {off:e}",
             found[*row]
         );
@@ -372,7 +376,9 @@ fn a_six_bar_needs_the_torque_that_matlab_says() {
             (30, -45.631536066193533),
         ],
     );
-    agrees(
+    // The link has the centre of mass of BCE to a thousandth, a third of one off in 25.
+    agrees_to(
+        1e-5,
         effort,
         &[
             (0, -243.85439295323431),

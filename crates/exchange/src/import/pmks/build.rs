@@ -299,7 +299,12 @@ impl Build<'_> {
         };
         let others: Vec<String> = riders.collect();
         let (axis, reach) = self.axis(joint, slide);
-        let held = pins::point(&mut self.draft, &carrier, &joint.name, joint.at);
+        // A point of a slot is where the pin was drawn, and not where it is later.
+        let place = match slide.on.is_some() {
+            true => format!("{}_slot", joint.name),
+            false => joint.name.clone(),
+        };
+        let held = pins::point(&mut self.draft, &carrier, &place, joint.at);
         let [turning, sliding] = match slide.turns {
             true => ["revolute", "slot"],
             false => ["fixed", "prismatic"],
