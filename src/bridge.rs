@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use linkdyn_ask::run::{parameters, with_values};
 use linkdyn_ask::{ModelFile, study};
 use linkdyn_engine::analysis::Control;
+use linkdyn_exchange::{Format, LeftOut, Options, Refused};
 use linkdyn_model::FileAccess;
 use linkdyn_output::{Column, Event, Stage};
 use linkdyn_study::chunks::Shard;
@@ -31,6 +32,29 @@ pub fn read(
 ) -> Result<Mechanism, Error> {
     let path = path.to_owned();
     Mechanism::read_with_access(stem, text.to_vec(), FileAccess { path, allowed })
+}
+
+/// A file of another program as the text of a model, and what that lacks. `format` is one of [`linkdyn_exchange::Format::word`].
+///
+/// # Errors
+/// [`Error::Foreign`] where it can't be read.
+pub fn imported(
+    name: &str,
+    bytes: &[u8],
+    format: Option<&str>,
+    length: Option<String>,
+) -> Result<(String, Vec<(String, String)>), Error> {
+    let word = |word: &str| {
+        let known = Format::ALL.into_iter().find(|format| format.word() == word);
+        let words = Format::ALL.map(Format::word).join(", ");
+        let cause = format!("{word:?} is no format");
+        known.ok_or_else(|| Refused::new("format", cause, words))
+    };
+    let format = format.map(word).transpose()?;
+    let read = linkdyn_exchange::import(name, bytes, format, &Options { length })?;
+    let left_out = read.left_out.into_iter();
+    let left_out = left_out.map(|LeftOut { place, what }| (place, what));
+    Ok((read.draft.text(), left_out.collect()))
 }
 
 /// The mechanism with values of its model set at once, each as `PATH=VALUE`: what is legal only together can be set.

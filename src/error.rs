@@ -58,6 +58,9 @@ pub enum Error {
     /// A text is no unit.
     #[error("{0:?} is no unit")]
     Unit(String),
+    /// A file of another program can't be read.
+    #[error(transparent)]
+    Foreign(#[from] linkdyn_exchange::Refused),
     /// A question can't be asked of this model: what is wrong, a line each.
     #[error("{}", .0.join("\n"))]
     Question(Vec<String>),

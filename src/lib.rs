@@ -35,6 +35,7 @@ pub mod bridge;
 #[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod cli;
+pub mod exchange;
 pub mod guide;
 pub mod prelude;
 

@@ -26,7 +26,7 @@ from .errors import (
 )
 from .family import Family, Variants
 from .function import Function
-from .model import Model, load, models
+from .model import Model, import_model, load, models
 from .run import Run
 from .simulation import Checkpoint, Simulation
 from .study import Study, Table
@@ -54,6 +54,7 @@ __all__ = [
     "UnknownName",
     "Variants",
     "__version__",
+    "import_model",
     "load",
     "models",
 ]

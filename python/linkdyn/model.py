@@ -28,7 +28,7 @@ from .values import DIMENSIONS, Values, as_list, bounds, one_by_one
 if TYPE_CHECKING:
     from .editor import Editor
 
-__all__ = ["Model", "Source", "Value", "load", "models"]
+__all__ = ["Model", "Source", "Value", "import_model", "load", "models"]
 
 Source: TypeAlias = "str | bytes | PathLike[str] | Mapping[str, Any]"
 """A path, the name of a bundled model, the text of a model file, or what it says as a dictionary."""
@@ -88,6 +88,33 @@ def load(source: Source, allow_files: Iterable[str | PathLike[str]] = ()) -> Mod
     return Model._of_text(path.stem, text, allowed, str(path))
 
 
+def import_model(source: str | bytes | PathLike[str], format: str | None = None, length: str | None = None) -> Model:
+    """Reads a mechanism of another program. What of it the model lacks is in its ``left_out``.
+
+    :param source: the path of a file, a link that PMKS+ shares, or what is in a file: bytes, or text of several lines.
+    :param format: ``pmks``, ``pylinkage``, ``mjcf``, ``urdf``, ``sdf``, ``dxf``, ``svg`` or ``csv``, where name and content do not say it.
+    :param length: the unit of its lengths, where it does not say it, such as ``mm``.
+    :raises ModelError: where it can't be read.
+    :raises FileNotFoundError: where there is no such file.
+
+    >>> import linkdyn
+    >>> table = "joint,x [mm],y [mm],bodies\\nA,0,0,ground crank\\nB,30,40,crank\\n"
+    >>> linkdyn.import_model(table, "csv").to_dict()["joints"]
+    {'A': {'type': 'revolute', 'between': ['ground.A', 'crank.A']}}
+    """
+    name = ""
+    if isinstance(source, str) and ("://" in source or "\n" in source or source.lstrip()[:1] in ("{", "<")):
+        source = source.encode()
+    if not isinstance(source, bytes):
+        path = Path(fspath(source))
+        with path.open("rb") as file:
+            name, source = path.name, file.read(_LARGEST + 1)
+    text, left_out = _linkdyn.imported(name, source, format, length)
+    model = Model._of_text("model", text.encode(), [])
+    model.left_out = tuple(f"{place}: {what}" for place, what in left_out)
+    return model
+
+
 class Model:
     """A model that was read and checked. It never changes: what sets values gives another one.
 
@@ -98,6 +125,9 @@ class Model:
     >>> m.set({"parameters.crank": "90 mm"}).parameters["crank"]
     (0.09, 'm')
     """
+
+    left_out: tuple[str, ...] = ()
+    """What the file of another program has and the model lacks; empty of models that were not imported."""
 
     def __init__(self, core: _linkdyn.Mechanism, label: str, text: bytes | None, sets: tuple[str, ...] = ()) -> None:
         self._core = core

@@ -64,6 +64,12 @@ pub fn exception(py: Python<'_>, error: &Error) -> PyErr {
             let complaints: Vec<Words> = complaints.iter().map(words).collect();
             return raised(py, "ModelError", (text, complaints));
         }
+        Error::Foreign(refused) => {
+            let (place, mend) = (refused.place.clone(), Some(refused.mend.clone()));
+            let cause = refused.cause.clone();
+            let complaint: Words = (place, None, None, None, cause, mend, text.clone());
+            return raised(py, "ModelError", (text, vec![complaint]));
+        }
         Error::Question(lines) => {
             let of_line = |line: &String| {
                 (

@@ -293,6 +293,20 @@ pub fn quantity(py: Python<'_>, text: &str) -> PyResult<(f64, String)> {
     read.map_err(|error| exception(py, &error))
 }
 
+/// The text of a model that another program wrote, and what that lacks: places and what is there.
+#[pyfunction]
+#[pyo3(signature = (name, source, format = None, length = None))]
+pub fn imported(
+    py: Python<'_>,
+    name: &str,
+    source: &[u8],
+    format: Option<&str>,
+    length: Option<String>,
+) -> PyResult<(String, Vec<(String, String)>)> {
+    let read = at_once(py, || bridge::imported(name, source, format, length))?;
+    read.map_err(|error| exception(py, &error))
+}
+
 /// Names of the bundled models.
 #[pyfunction]
 pub fn bundled() -> Vec<String> {

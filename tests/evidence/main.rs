@@ -15,6 +15,7 @@ mod rigid;
 // In the order of their names tests are run: those of the lock, which take longest, are not the last.
 mod films;
 mod jams;
+mod linkages;
 mod lock;
 mod mutants;
 mod paths;

@@ -42,4 +42,6 @@ export type Shown = { text: string; read: Read; picture: Picture | null; millise
 export type Faulty = { faults?: { text: string }[] };
 export type Pulled = Faulty & { poses: number[]; distance: number; singular: string | null; stopped: string | null };
 export type Moved = Shown & Faulty & { changed: string[]; place: Place; poses: number[]; near: number[] | null; begin: number[] | null };
+/** A model that was read from a file of another program, or why it was not. */
+export type Foreign = { text?: string; left_out?: string[]; fault?: string };
 export type Bundled = { name: string; title: string; about: string };

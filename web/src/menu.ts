@@ -3,8 +3,8 @@ import type { App } from "./app";
 import { course, textOf, type Lesson } from "./course";
 import { element, id } from "./element";
 import { gif } from "./gif";
-import type { Bundled } from "./linkdyn";
-import { Files, give, packed, type Served } from "./share";
+import type { Bundled, Foreign } from "./linkdyn";
+import { Files, give, isForeign, packed, type Handle, type Served } from "./share";
 import type { Typing } from "./typing";
 import { Underlay } from "./underlay";
 import { words } from "./words";
@@ -76,11 +76,29 @@ export const menu = ({ engine, frame, canvas, doc, say, failed, show, write, cho
     }, () => say(words.ended, { bad: true, stays: true }));
   }
   const input = id<HTMLInputElement>("chosen");
-  const take = (chosen: File | undefined): void => { if (chosen) files.take(chosen).then((text) => opened(text), failed); };
-  input.addEventListener("change", () => { take(input.files?.[0]); input.value = ""; });
-  const open = guarded(async () => { const text = await files.open(input); if (text !== null) opened(text); });
+  // What another program wrote becomes a model of that name; what it lacks is listed.
+  const foreign = async (name: string, bytes: Uint8Array): Promise<void> => {
+    const { text, left_out: lacks = [], fault = "" } = await engine.ask<Foreign>("imported", [name, bytes]);
+    if (text === undefined) { say(fault, { bad: true, stays: true }); return; }
+    opened(text, `${name.replace(/\.[^.]*$/, "") || "model"}.json`);
+    if (lacks.length) dialog("lacks", words.lacks, element("p", { text: words.lacksText, className: "muted" }), element("ul", {}, ...lacks.map((what) => element("li", { text: what, className: "text" }))));
+  };
+  const take = async (chosen: File | undefined, handle: Handle | null = null): Promise<void> => {
+    if (!chosen) return;
+    const bytes = await files.bytes(chosen);
+    if (isForeign(chosen.name, bytes)) await foreign(chosen.name, bytes); else opened(files.take(chosen.name, bytes, handle));
+  };
+  const pasted = (link: string | undefined): boolean => {
+    const found = /^\s*(https?:\/\/[^\s?]*pmks[^\s?]*\?.+)$/im.exec(link ?? "");
+    if (found) void foreign("", new TextEncoder().encode(found[1])).catch(failed);
+    return found !== null;
+  };
+  input.addEventListener("change", guarded(async () => { const [chosen] = input.files ?? []; input.value = ""; await take(chosen); }) as () => void);
+  const open = guarded(() => files.open(input, take));
   addEventListener("dragover", (event) => event.preventDefault());
-  addEventListener("drop", (event) => { event.preventDefault(); take(event.dataTransfer?.files[0]); });
+  addEventListener("drop", (event) => { event.preventDefault(); if (!pasted(event.dataTransfer?.getData("text/plain"))) take(event.dataTransfer?.files[0]).catch(failed); });
+  // A link of PMKS+ is read wherever it is pasted but in a text that is typed.
+  addEventListener("paste", (event) => { if (!(event.target as Element).closest("input, textarea, [contenteditable]") && pasted(event.clipboardData?.getData("text/plain"))) event.preventDefault(); });
 
   const asked = (question: string, type: string) => async (): Promise<Blob> => new Blob([await engine.ask<string>(question)], { type });
   const EXPORTS: [string, () => Promise<Blob>][] = [["results.csv", asked("csv", "text/csv")], ["summary.json", asked("summary", "application/json")], ["report.html", asked("page", "text/html")], ["motion.gif", () => gif(frame.report!)]];

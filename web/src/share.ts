@@ -55,34 +55,37 @@ export const give = (name: string, blob: Blob): void => {
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 };
 
-type Handle = { name: string; getFile(): Promise<File>; createWritable(): Promise<{ write(text: string): Promise<void>; close(): Promise<void> }> };
+export type Handle = { name: string; getFile(): Promise<File>; createWritable(): Promise<{ write(text: string): Promise<void>; close(): Promise<void> }> };
 type Pickers = { showOpenFilePicker?(options: object): Promise<Handle[]>; showSaveFilePicker?(options: object): Promise<Handle> };
 const KINDS = { types: [{ description: "linkdyn model", accept: { "application/json": [".json"] } }] };
+const ALL = { types: [...KINDS.types, { description: "Files of other programs", accept: { "text/csv": [".csv"], "text/xml": [".urdf", ".sdf", ".xml", ".svg"], "text/plain": [".dxf", ".pmks", ".url"] } }] };
+
+/** Whether a file is one of another program: by its name, or lists where a model has objects. */
+export const isForeign = (name: string, bytes: Uint8Array): boolean => /\.(csv|urdf|sdf|xml|svg|dxf|pmks|url)$/i.test(name) || /"(joints|nodes)"\s*:\s*\[/.test(new TextDecoder().decode(bytes));
 
 /** The file that is edited, where the browser may keep hold of it. */
 export class Files {
   #handle: Handle | null = null;
   name = "model.json";
 
-  /** The text of the file that the reader chooses; where the browser has no such window, the input tells of it. */
-  async open(input: HTMLInputElement): Promise<string | null> {
+  /** Takes the file that the reader chooses; where the browser has no such window, the input tells of it. */
+  async open(input: HTMLInputElement, take: (file: File, handle: Handle) => Promise<void>): Promise<void> {
     const pickers = window as unknown as Pickers;
-    if (pickers.showOpenFilePicker) {
-      try {
-        const [handle] = await pickers.showOpenFilePicker(KINDS);
-        if (!handle) return null;
-        const text = await this.take(await handle.getFile());
-        this.#handle = handle;
-        return text;
-      } catch (why) { if ((why as Error).name === "AbortError") return null; throw why; }
-    }
-    input.click();
-    return null;
+    if (!pickers.showOpenFilePicker) { input.click(); return; }
+    try {
+      const [handle] = await pickers.showOpenFilePicker(ALL);
+      if (handle) await take(await handle.getFile(), handle);
+    } catch (why) { if ((why as Error).name !== "AbortError") throw why; }
   }
-  async take(file: File): Promise<string> {
+  /** What is in a file, each byte of it. */
+  async bytes(file: File): Promise<Uint8Array> {
     if (file.size > LONGEST) throw new Error(`${file.name} has more than ${LONGEST / 1e6} MB`);
-    const text = decoded(await file.arrayBuffer());
-    [this.#handle, this.name] = [null, file.name];
+    return new Uint8Array(await file.arrayBuffer());
+  }
+  /** The text of a model's file, which is edited from here on. */
+  take(name: string, bytes: Uint8Array, handle: Handle | null = null): string {
+    const text = decoded(bytes as BufferSource);
+    [this.#handle, this.name] = [handle, name];
     return text;
   }
   forget(name = "model.json"): void { [this.#handle, this.name] = [null, name]; }

@@ -55,6 +55,7 @@ export const words = {
   overwrite: "Overwrite it",
   ended: "linkdyn edit has ended: save a copy by the button of the browser's download.",
   opened: (name: string) => `Opened ${name}.`,
+  lacks: "Left out", lacksText: "The model has no counterpart for these:",
   needsBody: "Click a body that moves.",
   needsPoint: "Click a point, or near one.",
   needsTwo: "Start and end on different bodies.",

@@ -1,5 +1,5 @@
 // The engine's side: each message is a question, each answer one message. A trap is told as a bug; the page then starts anew.
-import { initSync, Desk, lastPanic, models, modelText, schema, version } from "../build/engine/linkdyn.js";
+import { initSync, Desk, imported, lastPanic, models, modelText, schema, version } from "../build/engine/linkdyn.js";
 
 let desk: Desk, base: Desk | null = null, baseText = "";
 
@@ -74,6 +74,7 @@ const answers: Record<string, (...args: any[]) => unknown> = {
   frame: () => JSON.parse(Desk.frame()),
   models: () => JSON.parse(models()),
   model: (name: string) => modelText(name),
+  imported: (name: string, bytes: Uint8Array) => JSON.parse(imported(name, bytes)),
   schema: () => JSON.parse(schema()),
   version: () => version(),
 };

@@ -1,8 +1,6 @@
 //! A model file as it is written for people: short, a body and a joint on a line each.
 
-use std::collections::HashSet;
-
-use linkdyn_model::FORMAT;
+use linkdyn_model::{FORMAT, GROUND};
 use serde_json::{Map, Value, json};
 
 /// The entry of a body, a joint, a driver or a force, as it stands in the file.
@@ -52,9 +50,11 @@ impl Draft {
                 head.insert(key.into(), text.as_str().into());
             }
         }
-        if !self.units.is_empty() {
-            head.insert("units".into(), Value::Object(self.units.clone()));
-        }
+        let units = match self.units.is_empty() {
+            true => "SI".into(),
+            false => Value::Object(self.units.clone()),
+        };
+        head.insert("units".into(), units);
         if let Some(gravity) = self.gravity {
             head.insert("gravity".into(), numbers(gravity));
         }
@@ -87,33 +87,28 @@ impl Draft {
         format!("{{\n  {}\n}}\n", parts.join(",\n  "))
     }
 
-    /// A name in `taken` that is legal and new: letters, digits, `_` and `-`, as near to the wish as that allows.
+    /// A name that is legal and new in `taken`, as near to the wish as that allows.
     pub fn named(taken: &Map<String, Value>, wish: &str, otherwise: &str) -> String {
-        let legal: String = wish
-            .trim()
-            .chars()
-            .map(|c| {
-                if c.is_alphanumeric() || c == '-' {
-                    c
-                } else {
-                    '_'
-                }
-            })
-            .collect();
-        let stem = match legal.trim_matches('_') {
-            "" => otherwise,
-            stem => stem,
+        let mut names = Draft::names(wish, otherwise);
+        let free = names.find(|name| !taken.contains_key(name));
+        free.unwrap_or_default()
+    }
+
+    /// Legal names, as near to the wish as can be: letters, digits, `_` and `-`; all but the first have a number.
+    pub(crate) fn names(wish: &str, otherwise: &str) -> impl Iterator<Item = String> + use<> {
+        let legal = |c: char| match c.is_alphanumeric() || c == '-' {
+            true => c,
+            false => '_',
         };
-        let taken: HashSet<&str> = taken.keys().map(String::as_str).collect();
-        let is_free = |name: &str| !taken.contains(name) && name != "ground";
-        if is_free(stem) {
-            return stem.to_owned();
-        }
-        let numbered = (2..).map(|k| format!("{stem}_{k}"));
-        numbered
-            .into_iter()
-            .find(|name| is_free(name))
-            .unwrap_or_default()
+        let legal: String = wish.trim().chars().map(legal).collect();
+        let stem = match legal.trim_matches('_') {
+            "" => otherwise.to_owned(),
+            stem => stem.to_owned(),
+        };
+        let numbered = stem.clone();
+        std::iter::once(stem)
+            .chain((2..).map(move |k: u32| format!("{numbered}_{k}")))
+            .filter(|name| name != GROUND)
     }
 }
 

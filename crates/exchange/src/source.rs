@@ -87,6 +87,8 @@ impl Format {
             Some("dxf") => Some(Format::Dxf),
             Some("svg") => Some(Format::Svg),
             Some("csv") => Some(Format::Csv),
+            Some("pmks" | "url") => Some(Format::Pmks),
+            Some("json") => Some(Format::Pylinkage),
             _ => None,
         }
     }

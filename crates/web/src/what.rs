@@ -4,6 +4,7 @@ use std::panic;
 use std::sync::{Mutex, Once, PoisonError};
 
 use linkdyn_ask::ENGINE;
+use linkdyn_exchange::{Imported, LeftOut, Options};
 use linkdyn_model::bundled;
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -42,6 +43,19 @@ pub fn models() -> String {
 #[wasm_bindgen(js_name = modelText)]
 pub fn model_text(name: &str) -> String {
     bundled::text(name).map_or_else(|_| String::new(), |text| text.into_owned())
+}
+
+/// A file of another program as a model: its text and what it lacks, or why it can't be read, as JSON. `name` is that of the file.
+#[wasm_bindgen]
+pub fn imported(name: &str, bytes: &[u8]) -> String {
+    let told = match linkdyn_exchange::import(name, bytes, None, &Options::default()) {
+        Ok(Imported { draft, left_out }) => {
+            let left_out: Vec<String> = left_out.iter().map(LeftOut::to_string).collect();
+            json!({ "text": draft.text(), "left_out": left_out })
+        }
+        Err(refused) => json!({ "fault": refused.to_string() }),
+    };
+    told.to_string()
 }
 
 /// The JSON Schema of the format.

@@ -1,10 +1,17 @@
 //! Files of other programs as models.
 
+use linkdyn_model::Unit;
+
 use crate::Draft;
 use crate::source::{Format, LONGEST, LeftOut, MOST_PARTS, Options, Refused};
 
+mod pins;
+mod pmks;
+mod pylinkage;
+mod table;
+
 /// A mechanism that was read.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Imported {
     /// The model.
     pub draft: Draft,
@@ -29,6 +36,9 @@ pub fn import(
             format!("{LONGEST} at most"),
         ));
     }
+    if let Some(unit) = &options.length {
+        length("--length", unit)?;
+    }
     let words = || Format::ALL.map(Format::word).join(", ");
     let Some(format) = format.or_else(|| Format::of(name, bytes)) else {
         return Err(Refused::new(
@@ -37,23 +47,15 @@ pub fn import(
             format!("--from says it: {}", words()),
         ));
     };
-    let imported: Imported = match format {
-        Format::Pmks
-        | Format::Pylinkage
-        | Format::Mjcf
-        | Format::Urdf
-        | Format::Sdf
-        | Format::Dxf
-        | Format::Svg
-        | Format::Csv => {
-            let _ = options;
-            Err(Refused::new(
-                "",
-                format!("{} is not read yet", format.word()),
-                "later",
-            ))
-        }
-    }?;
+    let imported: Imported =
+        match format {
+            Format::Pmks => pmks::read(name, text(bytes)?),
+            Format::Pylinkage => pylinkage::read(name, text(bytes)?, options),
+            Format::Csv => table::read(name, text(bytes)?, options),
+            Format::Mjcf | Format::Urdf | Format::Sdf | Format::Dxf | Format::Svg => Err(
+                Refused::new("", format!("{} is not read yet", format.word()), "later"),
+            ),
+        }?;
     let parts = imported.draft.bodies.len().max(imported.draft.joints.len());
     if parts > MOST_PARTS {
         return Err(Refused::new(
@@ -63,6 +65,19 @@ pub fn import(
         ));
     }
     Ok(imported)
+}
+
+/// A unit of length, which the format knows.
+pub(crate) fn length<'t>(place: &str, unit: &'t str) -> Result<&'t str, Refused> {
+    let metre = Unit::parse("m").map(|metre| metre.powers);
+    match Unit::parse(unit) {
+        Ok(found) if metre.is_ok_and(|metre| metre == found.powers) => Ok(unit),
+        _ => Err(Refused::new(
+            place,
+            format!("{unit:?} is no unit of length"),
+            "mm, cm, m, in, ft or another that linkdyn docs format lists",
+        )),
+    }
 }
 
 /// The text of a file.
