@@ -1,5 +1,11 @@
 //! Files of other programs as models.
 
+mod mjcf;
+mod sdf;
+mod spatial;
+mod urdf;
+mod xml;
+
 use crate::Draft;
 use crate::source::{Format, LONGEST, LeftOut, MOST_PARTS, Options, Refused};
 
@@ -38,14 +44,10 @@ pub fn import(
         ));
     };
     let imported: Imported = match format {
-        Format::Pmks
-        | Format::Pylinkage
-        | Format::Mjcf
-        | Format::Urdf
-        | Format::Sdf
-        | Format::Dxf
-        | Format::Svg
-        | Format::Csv => {
+        Format::Mjcf => mjcf::read(text(bytes)?),
+        Format::Urdf => urdf::read(text(bytes)?),
+        Format::Sdf => sdf::read(text(bytes)?),
+        Format::Pmks | Format::Pylinkage | Format::Dxf | Format::Svg | Format::Csv => {
             let _ = options;
             Err(Refused::new(
                 "",
