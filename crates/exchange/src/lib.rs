@@ -7,6 +7,8 @@
 mod draft;
 pub mod export;
 pub mod import;
+#[cfg(test)]
+mod robot_tests;
 mod source;
 
 pub use draft::{Draft, Entry, number, numbers};

@@ -128,6 +128,11 @@ impl<'a> MjcfWriter<'a> {
         point.copied().unwrap_or_default()
     }
 
+    /// Whether both are one point of a body.
+    fn is_same(&self, a: &PointRef, b: &PointRef) -> bool {
+        a.body == b.body && self.point(a) == self.point(b)
+    }
+
     fn left_out(&mut self, place: String, what: impl Into<String>) {
         let what = what.into();
         self.left_out.push(LeftOut { place, what });
@@ -171,11 +176,31 @@ impl<'a> MjcfWriter<'a> {
         for name in model.bodies.keys().filter(|name| *name != GROUND) {
             nodes.insert(name, graph.add_node(name));
         }
+        let sprung = model.forces.values().filter_map(|force| match &force.kind {
+            ForceKind::TorsionSpring {
+                between: [a, b], ..
+            } => Some([a.min(b), a.max(b)]),
+            _ => None,
+        });
+        let sprung: Vec<[&String; 2]> = sprung.collect();
+        let geared = model
+            .joints
+            .values()
+            .filter(|joint| matches!(joint.kind, JointKind::Gear { .. }));
+        let geared: Vec<&PointRef> = geared.flat_map(|gear| &gear.between).collect();
         for (index, joint) in model.joints.values().enumerate() {
+            // Closers have neither limits nor springs.
+            let has_more = joint.stops.limits.is_some()
+                || sprung.contains(&pair(joint))
+                || joint
+                    .between
+                    .iter()
+                    .any(|end| geared.iter().any(|wheel| self.is_same(wheel, end)));
             let rank = match joint.kind {
                 JointKind::Gear { .. } => continue,
                 JointKind::Prismatic { .. } | JointKind::Slot { .. } => 0,
-                _ => 1,
+                _ if has_more => 1,
+                _ => 2,
             };
             let [a, b] = [0, 1].map(|end: usize| nodes[joint.between[end].body.as_str()]);
             graph.add_edge(a, b, (rank, index));
@@ -448,15 +473,14 @@ impl<'a> MjcfWriter<'a> {
         let [mass, inertia] =
             [body.mass, body.inertia].map(|value| value.filter(|value| *value > 0.0));
         let missing = match (mass, inertia) {
-            (None, None) => Some("mass and inertia"),
+            (None, None) => Some("mass and no inertia"),
             (None, Some(_)) => Some("mass"),
             (Some(_), None) => Some("inertia"),
             (Some(_), Some(_)) => None,
         };
         if let Some(missing) = missing {
-            let what = format!(
-                "its {missing} is none: MuJoCo needs some, and gets a millionth of the mean"
-            );
+            let what =
+                format!("it has no {missing}: MuJoCo needs some, and gets a millionth of the mean");
             self.left_out(format!("body {name}"), what);
         }
         let com = body.com.unwrap_or(origin);
@@ -612,7 +636,7 @@ impl<'a> MjcfWriter<'a> {
             };
             let own = if sign > 0.0 { b } else { a };
             let is_it = carrier.is_none_or(|carrier| other.body == carrier)
-                && self.point(own) == self.point(wheel)
+                && self.is_same(own, wheel)
                 && !self.closers.contains(&name.as_str());
             is_it.then_some((name.as_str(), sign))
         });
@@ -664,6 +688,12 @@ impl<'a> MjcfWriter<'a> {
             self.left_out("initial".into(), "velocities at the start");
         }
     }
+}
+
+/// Both bodies of a joint, in one order.
+fn pair(joint: &Joint) -> [&String; 2] {
+    let [a, b] = [&joint.between[0].body, &joint.between[1].body];
+    [a.min(b), a.max(b)]
 }
 
 /// A point of a body in the plane.
