@@ -275,7 +275,10 @@ fn what_is_exported_is_imported_again() {
     for (format, text) in ALL {
         // A body without mass would get one.
         let text = text
-            .replace("<joint name=\"second\" pos=\"0.3 0 0\" axis=\"0 -1 0\"/>", "")
+            .replace(
+                "<joint name=\"second\" pos=\"0.3 0 0\" axis=\"0 -1 0\"/>",
+                "",
+            )
             .replace(" 0.3 -0.4\"", " 0.3\"");
         let first = model(&imported(format, &text));
         let checked = first.clone().check().expect("it is legal");

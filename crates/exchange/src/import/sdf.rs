@@ -10,7 +10,7 @@ use roxmltree::Node;
 
 use super::Imported;
 use super::spatial::{Coupling, Hold, HoldKind, Scene, Solid, Travel, Weight};
-use super::xml::{self, Lines, Remarks, short};
+use super::xml::{self, Remarks, XmlLines, short};
 use crate::source::{MOST_PARTS, Refused};
 
 /// From here on a limit is none.
@@ -25,7 +25,7 @@ pub(super) fn read(text: &str) -> Result<Imported, Refused> {
         .and_then(|v| v.parse().ok())
         .unwrap_or(1.12);
     let mut reader = SdfReader {
-        lines: Lines::of(text),
+        lines: XmlLines::of(text),
         remarks: Remarks::default(),
         scene: Scene {
             from: "SDF",
@@ -99,7 +99,7 @@ pub(super) struct Mimic {
 }
 
 struct SdfReader {
-    lines: Lines,
+    lines: XmlLines,
     remarks: Remarks,
     scene: Scene,
     is_before_frames: bool,
@@ -107,7 +107,7 @@ struct SdfReader {
 }
 
 /// What has a pose in a model.
-struct Placed<'a, 'i> {
+struct SdfPlaced<'a, 'i> {
     node: Node<'a, 'i>,
     pose: Isometry3<f64>,
     relative_to: &'a str,
@@ -149,7 +149,7 @@ impl SdfReader {
             let mend = "give its pose in the world";
             return Err(lines.refuse(model, "the pose of a model is relative to a frame", mend));
         }
-        let mut placed: HashMap<&str, Placed> = HashMap::new();
+        let mut placed: HashMap<&str, SdfPlaced> = HashMap::new();
         let mut links = Vec::new();
         for node in model.children().filter(Node::is_element) {
             let tag = node.tag_name().name();
@@ -177,7 +177,7 @@ impl SdfReader {
             if tag == "link" {
                 links.push(node);
             }
-            let own = Placed {
+            let own = SdfPlaced {
                 node,
                 pose,
                 relative_to,
@@ -237,7 +237,7 @@ impl SdfReader {
         &self,
         model: Node,
         pose: Isometry3<f64>,
-        placed: &HashMap<&str, Placed>,
+        placed: &HashMap<&str, SdfPlaced>,
         bodies: &HashMap<&str, usize>,
     ) -> Result<Frames, Refused> {
         let lines = &self.lines;
@@ -402,7 +402,7 @@ impl Mimic {
 
 /// A mass about the origin of its frame.
 pub(super) fn weight(
-    lines: &Lines,
+    lines: &XmlLines,
     node: Node,
     mass: f64,
     inertia: Matrix3<f64>,
@@ -418,7 +418,7 @@ pub(super) fn weight(
 }
 
 /// Both bodies are one.
-pub(super) fn rigid(node: Node, lines: &Lines, between: [usize; 2]) -> Hold {
+pub(super) fn rigid(node: Node, lines: &XmlLines, between: [usize; 2]) -> Hold {
     Hold {
         name: node.attribute("name").unwrap_or_default().to_owned(),
         place: lines.place(node),
@@ -437,7 +437,7 @@ pub(super) fn frame([x, y, z, roll, pitch, yaw]: [f64; 6]) -> Isometry3<f64> {
 
 /// The pose in an element, and the frame that it is relative to.
 pub(super) fn pose<'a>(
-    lines: &Lines,
+    lines: &XmlLines,
     around: Node<'a, '_>,
 ) -> Result<(Isometry3<f64>, Option<&'a str>), Refused> {
     let Some(node) = child(around, "pose") else {
@@ -475,7 +475,7 @@ pub(super) fn pose<'a>(
 
 /// A joint, whose frame is given in the world, and what it follows; the place of the follower is to be set.
 pub(super) fn joint(
-    (lines, remarks): (&Lines, &mut Remarks),
+    (lines, remarks): (&XmlLines, &mut Remarks),
     node: Node,
     frames: &Frames,
     at: Isometry3<f64>,

@@ -20,7 +20,7 @@ use roxmltree::Node;
 use super::Imported;
 use super::sdf::{self, Frames, Mimic, child, follow, rigid, text, weight};
 use super::spatial::{Hold, HoldKind, Scene, Solid, Travel};
-use super::xml::{self, Lines, Remarks, short};
+use super::xml::{self, Remarks, XmlLines, short};
 use crate::source::{MOST_PARTS, Refused};
 
 /// Reads a robot.
@@ -28,7 +28,7 @@ pub(super) fn read(text: &str) -> Result<Imported, Refused> {
     let document = xml::parse(text, "robot")?;
     let root = document.root_element();
     let mut reader = UrdfReader {
-        lines: Lines::of(text),
+        lines: XmlLines::of(text),
         remarks: Remarks::default(),
         scene: Scene {
             from: "URDF",
@@ -44,7 +44,7 @@ pub(super) fn read(text: &str) -> Result<Imported, Refused> {
 }
 
 struct UrdfReader {
-    lines: Lines,
+    lines: XmlLines,
     remarks: Remarks,
     scene: Scene,
     mimics: Vec<Mimic>,
@@ -403,7 +403,7 @@ impl UrdfReader {
 }
 
 /// The link that an element of a joint names.
-fn link_of<'a>(lines: &Lines, joint: Node<'a, '_>, tag: &str) -> Result<&'a str, Refused> {
+fn link_of<'a>(lines: &XmlLines, joint: Node<'a, '_>, tag: &str) -> Result<&'a str, Refused> {
     let Some(node) = child(joint, tag) else {
         let mend = format!("write <{tag} link=\"…\"/>");
         return Err(lines.refuse(joint, format!("the joint has no <{tag}>"), &mend));
@@ -413,7 +413,7 @@ fn link_of<'a>(lines: &Lines, joint: Node<'a, '_>, tag: &str) -> Result<&'a str,
 
 /// Numbers of an attribute of an element inside another one.
 fn attribute<const N: usize>(
-    lines: &Lines,
+    lines: &XmlLines,
     around: Node,
     tag: &str,
     name: &str,
@@ -425,12 +425,12 @@ fn attribute<const N: usize>(
 }
 
 /// The frame in an element inside another one.
-fn origin(lines: &Lines, around: Node, tag: &str) -> Result<Isometry3<f64>, Refused> {
+fn origin(lines: &XmlLines, around: Node, tag: &str) -> Result<Isometry3<f64>, Refused> {
     child(around, tag).map_or(Ok(Isometry3::identity()), |node| placed(lines, node))
 }
 
 /// The frame by `xyz` and `rpy` of an element.
-fn placed(lines: &Lines, node: Node) -> Result<Isometry3<f64>, Refused> {
+fn placed(lines: &XmlLines, node: Node) -> Result<Isometry3<f64>, Refused> {
     let part = |name: &str| match node.attribute(name) {
         Some(text) => lines.numbers(node, name, text),
         None => Ok([0.0; 3]),

@@ -39,7 +39,7 @@ pub(super) fn parse<'t>(text: &'t str, root: &str) -> Result<Document<'t>, Refus
     let found = document.root_element();
     if found.tag_name().name() != root {
         return Err(Refused::new(
-            Lines::of(text).place(found),
+            XmlLines::of(text).place(found),
             format!(
                 "the first element is <{}>, not <{root}>",
                 found.tag_name().name()
@@ -90,12 +90,12 @@ pub(super) fn xacro(place: String) -> Refused {
 }
 
 /// Where lines begin \[byte\].
-pub(super) struct Lines(Vec<usize>);
+pub(super) struct XmlLines(Vec<usize>);
 
-impl Lines {
-    pub(super) fn of(text: &str) -> Lines {
+impl XmlLines {
+    pub(super) fn of(text: &str) -> XmlLines {
         let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
-        Lines(ends.map(|(place, _)| place).collect())
+        XmlLines(ends.map(|(place, _)| place).collect())
     }
 
     fn line(&self, node: Node) -> usize {
@@ -216,7 +216,7 @@ struct Remark {
 
 impl Remarks {
     /// What stands at an element.
-    pub(super) fn at(&mut self, lines: &Lines, node: Node, what: impl Into<String>) {
+    pub(super) fn at(&mut self, lines: &XmlLines, node: Node, what: impl Into<String>) {
         let (what, last) = (what.into(), lines.line(node));
         if let Some(&index) = self.known.get(&what) {
             let remark = &mut self.all[index];

@@ -20,7 +20,7 @@ use roxmltree::Node;
 use self::tree::{Branch, MjcfJoint, MjcfKind, Tree, unit};
 use super::Imported;
 use super::spatial::{Scene, Weight};
-use super::xml::{self, DEEPEST, Lines, Remarks, short};
+use super::xml::{self, DEEPEST, Remarks, XmlLines, short};
 use crate::source::{MOST_PARTS, Refused};
 
 /// From here on a limit is none [degrees, rad or m].
@@ -30,7 +30,7 @@ const ENDLESS: f64 = 1e9;
 pub(super) fn read(text: &str) -> Result<Imported, Refused> {
     let document = xml::parse(text, "mujoco")?;
     let root = document.root_element();
-    let mut reader = MjcfReader::new(Lines::of(text));
+    let mut reader = MjcfReader::new(XmlLines::of(text));
     reader.scene.name = root.attribute("model").unwrap_or_default().to_owned();
     reader.settings(root)?;
     for world in root
@@ -92,7 +92,7 @@ struct Poses {
 }
 
 struct MjcfReader<'a, 'i> {
-    lines: Lines,
+    lines: XmlLines,
     remarks: Remarks,
     scene: Scene,
     compiler: Compiler,
@@ -108,7 +108,7 @@ struct MjcfReader<'a, 'i> {
 }
 
 impl<'a, 'i> MjcfReader<'a, 'i> {
-    fn new(lines: Lines) -> Self {
+    fn new(lines: XmlLines) -> Self {
         let world = Branch {
             name: "world".into(),
             place: String::new(),
@@ -731,7 +731,7 @@ impl<'a, 'i> MjcfReader<'a, 'i> {
 }
 
 fn quaternion(
-    lines: &Lines,
+    lines: &XmlLines,
     node: Node,
     name: &str,
     parts: [f64; 4],
