@@ -68,6 +68,7 @@ mod outputs;
 mod parts;
 mod racks;
 mod responses;
+mod robots;
 mod rolling;
 mod schema;
 mod sections;

@@ -5,9 +5,13 @@
 //! without a word ([`Imported::left_out`]).
 
 mod draft;
+pub mod export;
 pub mod import;
+#[cfg(test)]
+mod robot_tests;
 mod source;
 
 pub use draft::{Draft, Entry, number, numbers};
+pub use export::Exported;
 pub use import::{Imported, import};
 pub use source::{Format, LONGEST, LeftOut, Options, Refused};

@@ -1,5 +1,11 @@
 //! Files of other programs as models.
 
+mod mjcf;
+mod sdf;
+mod spatial;
+mod urdf;
+mod xml;
+
 use linkdyn_model::Unit;
 
 use crate::Draft;
@@ -47,15 +53,19 @@ pub fn import(
             format!("--from says it: {}", words()),
         ));
     };
-    let imported: Imported =
-        match format {
-            Format::Pmks => pmks::read(name, text(bytes)?),
-            Format::Pylinkage => pylinkage::read(name, text(bytes)?, options),
-            Format::Csv => table::read(name, text(bytes)?, options),
-            Format::Mjcf | Format::Urdf | Format::Sdf | Format::Dxf | Format::Svg => Err(
-                Refused::new("", format!("{} is not read yet", format.word()), "later"),
-            ),
-        }?;
+    let imported: Imported = match format {
+        Format::Pmks => pmks::read(name, text(bytes)?),
+        Format::Pylinkage => pylinkage::read(name, text(bytes)?, options),
+        Format::Csv => table::read(name, text(bytes)?, options),
+        Format::Mjcf => mjcf::read(text(bytes)?),
+        Format::Urdf => urdf::read(text(bytes)?),
+        Format::Sdf => sdf::read(text(bytes)?),
+        Format::Dxf | Format::Svg => Err(Refused::new(
+            "",
+            format!("{} is not read yet", format.word()),
+            "later",
+        )),
+    }?;
     let parts = imported.draft.bodies.len().max(imported.draft.joints.len());
     if parts > MOST_PARTS {
         return Err(Refused::new(
