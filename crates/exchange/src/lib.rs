@@ -5,9 +5,14 @@
 //! without a word ([`Imported::left_out`]).
 
 mod draft;
+#[cfg(test)]
+mod drawing_tests;
+pub mod export;
+mod form;
 pub mod import;
 mod source;
 
 pub use draft::{Draft, Entry, number, numbers};
+pub use form::{Affine, Corner, Form};
 pub use import::{Imported, import};
 pub use source::{Format, LONGEST, LeftOut, Options, Refused};

@@ -1,5 +1,10 @@
 //! Files of other programs as models.
 
+mod dxf;
+mod sketch;
+mod svg;
+mod xml;
+
 use crate::Draft;
 use crate::source::{Format, LONGEST, LeftOut, MOST_PARTS, Options, Refused};
 
@@ -38,13 +43,16 @@ pub fn import(
         ));
     };
     let imported: Imported = match format {
+        Format::Dxf => sketch::linkage(name, dxf::read(bytes)?, options),
+        Format::Svg => {
+            let drawn = svg::read(text(bytes)?, options.length.is_none())?;
+            sketch::linkage(name, drawn, options)
+        }
         Format::Pmks
         | Format::Pylinkage
         | Format::Mjcf
         | Format::Urdf
         | Format::Sdf
-        | Format::Dxf
-        | Format::Svg
         | Format::Csv => {
             let _ = options;
             Err(Refused::new(
@@ -75,4 +83,13 @@ pub(crate) fn text(bytes: &[u8]) -> Result<&str, Refused> {
         )
     })?;
     Ok(text.trim_start_matches('\u{feff}'))
+}
+
+/// A text of a file for a message: short, and on one line.
+pub(crate) fn quoted(text: &str) -> String {
+    let mut short: String = text.chars().take(40).collect();
+    if short.len() < text.len() {
+        short.push('…');
+    }
+    format!("{short:?}")
 }
