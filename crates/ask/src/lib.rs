@@ -12,6 +12,7 @@ pub mod accuracy;
 pub mod allocate;
 pub mod check;
 pub mod compare;
+pub mod drawing;
 pub mod editor;
 pub mod hand;
 pub mod modes;

@@ -5,7 +5,10 @@
 //! without a word ([`Imported::left_out`]).
 
 mod draft;
+#[cfg(test)]
+mod drawing_tests;
 pub mod export;
+mod form;
 pub mod import;
 #[cfg(test)]
 mod robot_tests;
@@ -13,5 +16,6 @@ mod source;
 
 pub use draft::{Draft, Entry, number, numbers};
 pub use export::Exported;
+pub use form::{Affine, Corner, Form};
 pub use import::{Imported, import};
 pub use source::{Format, LONGEST, LeftOut, Options, Refused};

@@ -86,3 +86,4 @@ pub use report::Report;
 pub use scene::{POINTS_PER_MM, Scene};
 pub use shape::Shape;
 pub use study_page::StudyPage;
+pub use symbols::hull;

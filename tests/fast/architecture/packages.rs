@@ -32,6 +32,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
     (
         "ask",
         &[
+            "exchange",
             "picture",
             "variation",
             "engine",

@@ -19,6 +19,7 @@ use crate::text::responses::{Expression, expressions};
 use crate::text::words::{analysis_words, status_words};
 use crate::{ModelFile, Question, Subject, Unanswered};
 
+pub(crate) use page::pose as pose_of;
 pub use refused::html as refused_html;
 
 /// Asks what is wrong or odd in a model: assembles it, and counts, without running it.

@@ -1,8 +1,14 @@
 //! Models as files of other programs.
 
+mod dxf;
 mod mjcf;
+mod outline;
+mod svg;
 
+pub use dxf::dxf;
 pub use mjcf::mjcf;
+pub use outline::{Layer, Sheet, around};
+pub use svg::svg;
 
 use crate::source::LeftOut;
 

@@ -1,8 +1,15 @@
 //! Files of other programs as models.
 
+mod dxf;
 mod mjcf;
+mod pins;
+mod pmks;
+mod pylinkage;
 mod sdf;
+mod sketch;
 mod spatial;
+mod svg;
+mod table;
 mod urdf;
 mod xml;
 
@@ -10,11 +17,6 @@ use linkdyn_model::Unit;
 
 use crate::Draft;
 use crate::source::{Format, LONGEST, LeftOut, MOST_PARTS, Options, Refused};
-
-mod pins;
-mod pmks;
-mod pylinkage;
-mod table;
 
 /// A mechanism that was read.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -60,11 +62,11 @@ pub fn import(
         Format::Mjcf => mjcf::read(text(bytes)?),
         Format::Urdf => urdf::read(text(bytes)?),
         Format::Sdf => sdf::read(text(bytes)?),
-        Format::Dxf | Format::Svg => Err(Refused::new(
-            "",
-            format!("{} is not read yet", format.word()),
-            "later",
-        )),
+        Format::Dxf => sketch::linkage(name, dxf::read(bytes)?, options),
+        Format::Svg => {
+            let drawn = svg::read(text(bytes)?, options.length.is_none())?;
+            sketch::linkage(name, drawn, options)
+        }
     }?;
     let parts = imported.draft.bodies.len().max(imported.draft.joints.len());
     if parts > MOST_PARTS {
@@ -100,4 +102,13 @@ pub(crate) fn text(bytes: &[u8]) -> Result<&str, Refused> {
         )
     })?;
     Ok(text.trim_start_matches('\u{feff}'))
+}
+
+/// A text of a file for a message: short, and on one line.
+pub(crate) fn quoted(text: &str) -> String {
+    let mut short: String = text.chars().take(40).collect();
+    if short.len() < text.len() {
+        short.push('…');
+    }
+    format!("{short:?}")
 }

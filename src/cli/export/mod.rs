@@ -1,0 +1,63 @@
+//! `linkdyn export`: the model for other programs, one kind of file at a time.
+//!
+//! | file  | kind                                                |
+//! | ----- | --------------------------------------------------- |
+//! | `fmu` | a functional mock-up unit (FMI) for co-simulation   |
+//! | `drawing` | DXF and SVG to scale                             |
+
+mod drawing;
+mod fmu;
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::exit::{Exit, Failure};
+use super::open::ModelOptions;
+
+#[derive(Debug, Args)]
+#[command(after_help = HELP)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
+    #[command(flatten)]
+    kind: Kind,
+    /// File to write
+    #[arg(short, value_name = "FILE")]
+    output: PathBuf,
+    #[command(flatten)]
+    fmu: fmu::FmuOptions,
+    #[command(flatten)]
+    drawing: drawing::DrawingOptions,
+}
+
+/// What is written: one of these.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = false)]
+struct Kind {
+    /// A functional mock-up unit (FMI 3.0 or 2.0) for co-simulation, with all that it needs to run
+    #[arg(long)]
+    fmu: bool,
+    /// A drawing to scale for CAD programs (DXF), in millimetres
+    #[arg(long)]
+    dxf: bool,
+    /// A drawing to scale for vector editors and cutters (SVG), in millimetres
+    #[arg(long)]
+    svg: bool,
+}
+
+const HELP: &str = "  linkdyn export pendulum --fmu -o pendulum.fmu
+  linkdyn export pendulum --fmu --fmi 2 --output rod.angle -o pendulum.fmu
+  linkdyn export four-bar --dxf --at 0.5 -o pose.dxf
+  linkdyn export four-bar --svg --each-link --width 20mm --hole 6mm -o plates";
+
+/// Reads the model, and writes what is requested.
+pub fn execute(options: &Options) -> Result<Exit, Failure> {
+    let drawn = |kind| drawing::export(&options.model, &options.drawing, kind, &options.output);
+    match options.kind {
+        Kind { dxf: true, .. } => drawn(drawing::Kind::Dxf),
+        Kind { svg: true, .. } => drawn(drawing::Kind::Svg),
+        // clap has seen to it that there is one.
+        Kind { .. } => fmu::export(&options.model, &options.fmu, &options.output),
+    }
+}
