@@ -12,8 +12,8 @@ use super::waves::{Factor, TurnedVector, Wave, Waves, bend, constant, slope, val
 
 /// Bodies that move, at most: the text of more is too long to be read.
 const MOST_BODIES: usize = 6;
-/// Terms on a line.
-const ON_A_LINE: usize = 3;
+/// Characters of a line, about, without those that are not seen.
+const WIDTH: usize = 75;
 /// Phases nearer to a right angle than this are right angles \[rad\].
 const RIGHT: f64 = 1e-12;
 
@@ -56,7 +56,7 @@ impl Equations {
 
     fn head(&self) -> String {
         format!(
-            "\\documentclass{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath}}\n\\allowdisplaybreaks\n\
+            "\\documentclass{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath}}\n\\usepackage[margin=25mm]{{geometry}}\n\\allowdisplaybreaks\n\
              \\title{{Equations of motion of {}}}\n\\author{{Written by linkdyn}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n\n\
              SI units, angles in radians. A dot is a derivative by time.\n\n",
             escaped(&self.linkage.name)
@@ -73,7 +73,7 @@ impl Equations {
             };
             let at = [self.start[k], self.rates[k]].map(number);
             let symbol = own.symbol();
-            let about = escaped(&own.about());
+            let about = own.about(&escaped(&own.of));
             format!(
                 "$p_{{{}}} = {symbol}$ & {about} & {free} & ${}$ & ${}$ \\\\\n",
                 k + 1,
@@ -539,13 +539,20 @@ fn aligned(definitions: &[Definition]) -> String {
             .cloned()
             .partition(|(sign, _)| *sign == 0.0);
         let mut text = format!("{} &= ", own.left);
-        for (index, chunk) in terms.chunks(ON_A_LINE).enumerate() {
-            let chunk = joined(chunk);
-            text += &match (index, chunk.starts_with('-')) {
-                (0, _) => chunk,
-                (_, true) => format!("\\\\\n&\\quad {chunk}"),
-                (_, false) => format!("\\\\\n&\\quad +{chunk}"),
+        let mut line = seen(&text);
+        for (index, (sign, term)) in terms.iter().enumerate() {
+            let width = seen(term);
+            line += width;
+            if index > 0 && line > WIDTH {
+                text += "\\\\\n&\\quad ";
+                line = width;
+            }
+            text += match (index, *sign < 0.0) {
+                (0, false) => "",
+                (_, true) => "-",
+                (_, false) => "+",
             };
+            text += term;
         }
         if terms.is_empty() {
             text += "0";
@@ -560,6 +567,17 @@ fn aligned(definitions: &[Definition]) -> String {
         "\\begin{{align*}}\n{}\n\\end{{align*}}\n",
         lines.join("\\\\\n")
     )
+}
+
+/// About how many characters of a formula are seen: a command is one, and braces are none.
+fn seen(formula: &str) -> usize {
+    let mut count = 0;
+    let mut is_command = false;
+    for c in formula.chars() {
+        is_command = c == '\\' || (is_command && c.is_ascii_alphabetic());
+        count += usize::from(c == '\\' || !(is_command || "{}_^".contains(c)));
+    }
+    count
 }
 
 fn table(columns: &str, head: &str, rows: Vec<String>) -> String {

@@ -37,6 +37,8 @@ mod program;
 mod python;
 mod refused;
 pub mod start;
+#[cfg(test)]
+mod tests;
 mod waves;
 
 pub use law::TimeLaw;

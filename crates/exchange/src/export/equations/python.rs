@@ -72,7 +72,11 @@ impl Equations {
         let coordinates = linkage.coordinates.iter().enumerate().map(|(k, own)| {
             let is_free = self.independent.contains(&k);
             let free = if is_free { ", independent" } else { "" };
-            format!("    {:<16}{}{free}\n", own.identifier, plain(&own.about()))
+            format!(
+                "    {:<16}{}{free}\n",
+                own.identifier,
+                plain(&own.about(&format!("{:?}", own.of)))
+            )
         });
         let coordinates: String = coordinates.collect();
         format!(
@@ -221,13 +225,13 @@ const STRETCH: &str = r#"def stretch(line, slope):
 "#;
 
 impl Coordinate {
-    /// What it is, in words.
-    pub fn about(&self) -> String {
+    /// What it is, in words with its name.
+    pub fn about(&self, name: &str) -> String {
         match self.kind {
-            CoordinateKind::Angle => format!("angle of {:?} [rad]", self.of),
-            CoordinateKind::Slide => format!("slide of joint {:?} [m]", self.of),
-            CoordinateKind::Free(0) => format!("x of the centre of mass of {:?} [m]", self.of),
-            CoordinateKind::Free(_) => format!("y of the centre of mass of {:?} [m]", self.of),
+            CoordinateKind::Angle => format!("angle of {name} [rad]"),
+            CoordinateKind::Slide => format!("slide of joint {name} [m]"),
+            CoordinateKind::Free(0) => format!("x of the centre of mass of {name} [m]"),
+            CoordinateKind::Free(_) => format!("y of the centre of mass of {name} [m]"),
         }
     }
 }
