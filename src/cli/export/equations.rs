@@ -40,9 +40,9 @@ pub fn export(model: &ModelOptions, language: Language, file: &Path) -> Result<E
         Language::Python => equations.python(),
         Language::Latex => equations.latex().map_err(refuse)?,
     };
-    let written = write_file(file, text.as_bytes())?;
+    write_file(file, text.as_bytes())?;
     let mut page = Page::default();
-    page.line(format!("{}: {}", written.display(), told(&equations)));
+    page.line(format!("{}: {}", file.display(), told(&equations)));
     print(page.text())?;
     Ok(Exit::Done)
 }

@@ -181,7 +181,7 @@ impl Linkage {
                     .map(|&column| rows[**row][column].abs())
                     .fold(0.0, f64::max)
             };
-            let best = now.max_by(|a, b| largest(a).total_cmp(&largest(b)));
+            let best = now.rev().max_by(|a, b| largest(a).total_cmp(&largest(b)));
             let Some((row, most)) = best.map(|row| (*row, largest(&row))) else {
                 break;
             };
