@@ -294,12 +294,12 @@ def test_loops_that_do_not_close_are_told(tmp_path: Path) -> None:
 def python_of(tex: str) -> str:
     """A line of LaTeX as Python."""
     text = tex.replace("&", "").replace("\\,", "*").replace("\\quad", "").replace("\\cdot 10^", "*10.0**")
-    text = re.sub(r"\\dot\{(\\varphi|s|x|y)\}_\{\\text\{((?:[^{}]|\{\})*)\}\}", r"d['\1', r'\2']", text)
-    text = re.sub(r"(\\varphi|\bs|\bx|\by)_\{\\text\{((?:[^{}]|\{\})*)\}\}", r"c['\1', r'\2']", text)
+    text = re.sub(r"\\dot\{(\\varphi|s|x|y)\}_\{\\text\{((?:[^{}]|\{\})*)\}\}", r"d[r'\1', r'\2']", text)
+    text = re.sub(r"(\\varphi|\bs|\bx|\by)_\{\\text\{((?:[^{}]|\{\})*)\}\}", r"c[r'\1', r'\2']", text)
     text = re.sub(r"([lFTXY]|\bw)_\{\\text\{((?:[^{}]|\{\})*)\}(,\d+)?\}", r"own['\1', r'\2\3']", text)
     text = re.sub(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"((\1)/(\2))", text)
     text = re.sub(r"\^\{(\d+)\}", r"**\1", text).replace("{", "(").replace("}", ")")
-    return text.replace("\\cos", "np.cos").replace("\\sin", "np.sin").replace("\\sqrt", "np.sqrt")
+    return text.replace("\\cos", "np.cos").replace("\\sin", "np.sin")
 
 
 def read(document: str, p: Any, dp: Any, t: float) -> dict[str, float]:
@@ -317,9 +317,9 @@ def read(document: str, p: Any, dp: Any, t: float) -> dict[str, float]:
                 continue
             right = right.replace("\\\\\n", "").removesuffix(" = 0")
             value = eval(python_of(right), {"np": np, "c": c, "d": d, "own": own, "t": t})
-            symbol = re.fullmatch(r"([lFTXYw])_\{\\text\{(.*)\}(,\d+)?\}", left)
+            symbol = re.fullmatch(r"([lFTXYw])_\{\\text\{(.*)\}(,\d+)?\}(\^\{2\})?", left)
             if symbol:
-                own[symbol[1], symbol[2] + (symbol[3] or "")] = value
+                own[symbol[1], symbol[2] + (symbol[3] or "")] = math.sqrt(value) if symbol[4] else value
             else:
                 found[left] = value
     return found

@@ -160,8 +160,7 @@ impl Equations {
                     let force = format!("F_{{{index}}}");
                     let mut square = Waves::default();
                     square.add_product(1.0, &value(line), &value(line));
-                    let square = joined(&self.terms(&square));
-                    define(&length, vec![(1.0, format!("\\sqrt{{{square}}}"))]);
+                    define(&format!("{length}^{{2}}"), self.terms(&square));
                     let mut rate = Vec::new();
                     let sign = if matches!(acting.kind, Action::Push(..)) {
                         1.0
@@ -182,7 +181,11 @@ impl Equations {
                     match &acting.kind {
                         Action::Spring(_, [stiffness, damping], free) => {
                             let free = minus(&of_time(free));
-                            let damped = format!("\\frac{{{}}}{{{length}}}", joined(&rate));
+                            let speed = format!("w_{{{index}}}");
+                            if *damping != 0.0 {
+                                define(&speed, rate);
+                            }
+                            let damped = format!("\\frac{{{speed}}}{{{length}}}");
                             let stretch = format!("({length}{free})");
                             let terms = [(*stiffness, stretch), (*damping, damped)];
                             define(&force, products(&terms));
@@ -228,10 +231,14 @@ impl Equations {
                         for (i, own) in applied.iter_mut().enumerate() {
                             let mut waves = Waves::default();
                             waves.add_product(1.0, &direction, &slope(place, i));
-                            let terms = self.terms(&waves);
-                            if !terms.is_empty() {
-                                own.push((1.0, format!("{force}\\,({})", joined(&terms))));
-                            }
+                            let terms = self.terms(&waves).into_iter();
+                            own.extend(
+                                terms.map(|(sign, term)| let all = match term.as_str() {
+                                    "1" => force.clone(),
+                                    term => format!("{force}\\,{term}"),
+                                };
+                                (sign, all)),
+                            );
                         }
                     }
                 }

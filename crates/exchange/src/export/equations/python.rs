@@ -397,18 +397,17 @@ impl Linkage {
                 None => of_time(law).enclosed(),
             };
             match &acting.kind {
-                Action::Spring(line, factors, free) => {
-                    let free = law(free, "free_length", "m");
+                Action::Spring(line, [stiffness, damping], free) => {
                     function.line(line);
                     let mut pull = SignedSum::default();
-                    let terms = [
-                        ("stiffness", "N/m", format!("(length - {free})")),
-                        ("damping", "N s/m", "(along @ dp)".to_owned()),
-                    ];
-                    for ((word, unit, by), &value) in terms.into_iter().zip(factors) {
-                        if value != 0.0 {
-                            pull.add(1.0, &[&constant(word, unit, number(value)), &by]);
-                        }
+                    if *stiffness != 0.0 {
+                        let free = law(free, "free_length", "m");
+                        let stiffness = constant("stiffness", "N/m", number(*stiffness));
+                        pull.add(1.0, &[&stiffness, &format!("(length - {free})")]);
+                    }
+                    if *damping != 0.0 {
+                        let damping = constant("damping", "N s/m", number(*damping));
+                        pull.add(1.0, &[&damping, "(along @ dp)"]);
                     }
                     function.body += &pull.lines(4, "pull = ", "");
                     function.body += "    q -= pull * along\n";
@@ -421,27 +420,26 @@ impl Linkage {
                 Action::Torsion(twist, ..) if twist.row.is_empty() => {
                     function.body += "    # acts on bodies that do not turn against each other.\n";
                 }
-                Action::Torsion(twist, factors, free) => {
-                    let free = law(free, "free_angle", "rad");
-                    let (mut angle, mut rate) = (SignedSum::default(), SignedSum::default());
-                    for &(k, sign) in &twist.row {
-                        angle.add(sign, &[&function.local(Local::Value(k))]);
-                        rate.add(sign, &[&function.local(Local::Rate(k))]);
-                    }
-                    angle.add_number(twist.constant, &[]);
+                Action::Torsion(twist, [stiffness, damping], free) => {
                     let mut torque = SignedSum::default();
-                    let terms = [
-                        (
-                            "stiffness",
-                            "N m/rad",
-                            format!("({} - {free})", angle.text()),
-                        ),
-                        ("damping", "N m s/rad", rate.enclosed()),
-                    ];
-                    for ((word, unit, by), &value) in terms.into_iter().zip(factors) {
-                        if value != 0.0 {
-                            torque.add(1.0, &[&constant(word, unit, number(value)), &by]);
+                    let sum = |function: &mut Function, local: fn(usize) -> Local| {
+                        let mut sum = SignedSum::default();
+                        for &(k, sign) in &twist.row {
+                            sum.add(sign, &[&function.local(local(k))]);
                         }
+                        sum
+                    };
+                    if *stiffness != 0.0 {
+                        let free = law(free, "free_angle", "rad");
+                        let mut angle = sum(&mut function, Local::Value);
+                        angle.add_number(twist.constant, &[]);
+                        let stiffness = constant("stiffness", "N m/rad", number(*stiffness));
+                        torque.add(1.0, &[&stiffness, &format!("({} - {free})", angle.text())]);
+                    }
+                    if *damping != 0.0 {
+                        let rate = sum(&mut function, Local::Rate).enclosed();
+                        let damping = constant("damping", "N m s/rad", number(*damping));
+                        torque.add(1.0, &[&damping, &rate]);
                     }
                     function.body += &torque.lines(4, "torque = ", "");
                     function.torque(&twist.row, -1.0, "torque");
@@ -453,11 +451,14 @@ impl Linkage {
                             constant("force", "N", format!("complex({x}, {y})"))
                         }
                         _ => {
-                            let [x, y] = [x, y].map(|law| of_time(law).text());
+                            for (name, law) in [("push_x", x), ("push_y", y)] {
+                                let line = of_time(law).lines(4, &format!("{name} = "), "");
+                                function.body += &line;
+                            }
                             let offset = number(turn.offset);
                             match turn.offset {
-                                0.0 => format!("complex({x}, {y})"),
-                                _ => format!("complex({x}, {y}) * np.exp(1j * {offset})"),
+                                0.0 => "complex(push_x, push_y)".to_owned(),
+                                _ => format!("complex(push_x, push_y) * np.exp(1j * {offset})"),
                             }
                         }
                     };
