@@ -7,8 +7,8 @@
 mod draft;
 #[cfg(test)]
 mod drawing_tests;
-pub mod export;
 mod form;
+pub mod export;
 pub mod import;
 #[cfg(test)]
 mod robot_tests;

@@ -1,12 +1,16 @@
 //! `linkdyn export`: the model for other programs, one kind of file at a time.
 //!
-//! | file  | kind                                                |
-//! | ----- | --------------------------------------------------- |
-//! | `fmu` | a functional mock-up unit (FMI) for co-simulation   |
-//! | `drawing` | DXF and SVG to scale                             |
+//! | file        | kind                                              |
+//! | ----------- | ------------------------------------------------- |
+//! | `fmu`       | a functional mock-up unit (FMI) for co-simulation |
+//! | `robot`     | MJCF                                              |
+//! | `drawing`   | DXF and SVG to scale                              |
+//! | `equations` | equations of motion, in Python or LaTeX           |
 
 mod drawing;
+mod equations;
 mod fmu;
+mod robot;
 
 use std::path::PathBuf;
 
@@ -38,26 +42,40 @@ struct Kind {
     /// A functional mock-up unit (FMI 3.0 or 2.0) for co-simulation, with all that it needs to run
     #[arg(long)]
     fmu: bool,
+    /// A model for MuJoCo (MJCF)
+    #[arg(long)]
+    mjcf: bool,
     /// A drawing to scale for CAD programs (DXF), in millimetres
     #[arg(long)]
     dxf: bool,
     /// A drawing to scale for vector editors and cutters (SVG), in millimetres
     #[arg(long)]
     svg: bool,
+    /// Equations of motion in minimal coordinates: a module of Python that needs NumPy alone, or a document in LaTeX
+    #[arg(long, value_name = "LANGUAGE")]
+    equations: Option<equations::Language>,
 }
 
 const HELP: &str = "  linkdyn export pendulum --fmu -o pendulum.fmu
   linkdyn export pendulum --fmu --fmi 2 --output rod.angle -o pendulum.fmu
+  linkdyn export four-bar --mjcf -o four-bar.xml
   linkdyn export four-bar --dxf --at 0.5 -o pose.dxf
-  linkdyn export four-bar --svg --each-link --width 20mm --hole 6mm -o plates";
+  linkdyn export four-bar --svg --each-link --width 20mm --hole 6mm -o plates
+  linkdyn export double-pendulum --equations python -o pendulum.py
+  linkdyn export four-bar --equations latex -o four-bar.tex";
 
 /// Reads the model, and writes what is requested.
 pub fn execute(options: &Options) -> Result<Exit, Failure> {
-    let drawn = |kind| drawing::export(&options.model, &options.drawing, kind, &options.output);
+    let (model, file) = (&options.model, &options.output);
+    let drawn = |kind| drawing::export(model, &options.drawing, kind, file);
+    if let Some(language) = options.kind.equations {
+        return equations::export(model, language, file);
+    }
     match options.kind {
-        Kind { dxf: true, .. } => drawn(drawing::Kind::Dxf),
-        Kind { svg: true, .. } => drawn(drawing::Kind::Svg),
+        Kind { mjcf: true, .. } => robot::export(model, file),
+        Kind { dxf: true, .. } => drawn(drawing::DrawingFormat::Dxf),
+        Kind { svg: true, .. } => drawn(drawing::DrawingFormat::Svg),
         // clap has seen to it that there is one.
-        Kind { .. } => fmu::export(&options.model, &options.fmu, &options.output),
+        Kind { .. } => fmu::export(model, &options.fmu, file),
     }
 }

@@ -1,6 +1,7 @@
 //! Models as files of other programs.
 
 mod dxf;
+pub mod equations;
 mod mjcf;
 mod outline;
 mod svg;
