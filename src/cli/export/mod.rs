@@ -55,8 +55,8 @@ const HELP: &str = "  linkdyn export pendulum --fmu -o pendulum.fmu
 pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let drawn = |kind| drawing::export(&options.model, &options.drawing, kind, &options.output);
     match options.kind {
-        Kind { dxf: true, .. } => drawn(drawing::Kind::Dxf),
-        Kind { svg: true, .. } => drawn(drawing::Kind::Svg),
+        Kind { dxf: true, .. } => drawn(drawing::DrawingFormat::Dxf),
+        Kind { svg: true, .. } => drawn(drawing::DrawingFormat::Svg),
         // clap has seen to it that there is one.
         Kind { .. } => fmu::export(&options.model, &options.fmu, &options.output),
     }
