@@ -256,7 +256,7 @@ fn bad_files_are_refused_with_a_mend() {
         (dxf(&[&format!("LWPOLYLINE 8 a{}", " 10 1 20 2 10 3 20 4".repeat(2001))]), Format::Dxf, "4002 ends and corners of bars are too many for a linkage (4000 at most)".into()),
         (dxf(&[&format!("LWPOLYLINE 8 a{}", " 10 1 20 2".repeat(50001))]), Format::Dxf, "there are too many entities for a linkage (50000 lines, corners and circles at most)".into()),
         ("hello".into(), Format::Svg, "line 1: this is no XML: unknown token (mend it there)".into()),
-        ("<html/>".into(), Format::Svg, "line 1: the first element is <html>, not <svg> (--from says what a file is: mjcf, urdf, sdf, svg)".into()),
+        ("<html/>".into(), Format::Svg, "line 1: the first element is <html>, not <svg> (--from says what a file is: mjcf, urdf, sdf)".into()),
         ("<!DOCTYPE svg [<!ENTITY a \"b\">]><svg/>".into(), Format::Svg, "it declares a document type or entities, which are not read (remove <!DOCTYPE …>, and write entities out)".into()),
         ("<!DOCTYPE svg SYSTEM \"file:///etc/passwd\"><svg/>".into(), Format::Svg, "it declares a document type or entities, which are not read (remove <!DOCTYPE …>, and write entities out)".into()),
         (svg("<line x2=\"two\"/>"), Format::Svg, "line 1: x2 \"two\" is no length (a number, with mm, cm, in, px, pt, pc or nothing behind it)".into()),

@@ -21,41 +21,41 @@ use linkdyn_model::Unit;
 #[command(next_help_heading = "Options of --dxf and --svg")]
 pub struct DrawingOptions {
     /// The pose at this time [default: as assembled]
-    #[arg(long, value_name = "TIME", value_parser = time, conflicts_with_all = ["link", "each_link"])]
+    #[arg(long, value_name = "TIME", value_parser = time, conflicts_with_all = ["link", "each_link", "fmu"])]
     at: Option<f64>,
     /// One body in its own frame instead of a pose
-    #[arg(long, value_name = "BODY")]
+    #[arg(long, value_name = "BODY", conflicts_with = "fmu")]
     link: Option<String>,
     /// A file for each body, in the folder FILE
-    #[arg(long, conflicts_with = "link")]
+    #[arg(long, conflicts_with_all = ["link", "fmu"])]
     each_link: bool,
     /// Width of links [default: by the size of the mechanism]
-    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    #[arg(long, value_name = "LENGTH", value_parser = length, conflicts_with = "fmu")]
     width: Option<f64>,
     /// Diameter of holes [default: 0.3 of the width]
-    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    #[arg(long, value_name = "LENGTH", value_parser = length, conflicts_with = "fmu")]
     hole: Option<f64>,
 }
 
 /// Which file is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum DrawingFormat {
     Dxf,
     Svg,
 }
 
-impl Kind {
+impl DrawingFormat {
     fn ending(self) -> &'static str {
         match self {
-            Kind::Dxf => "dxf",
-            Kind::Svg => "svg",
+            DrawingFormat::Dxf => "dxf",
+            DrawingFormat::Svg => "svg",
         }
     }
 
     fn text(self, sheet: &Sheet) -> String {
         match self {
-            Kind::Dxf => dxf(sheet),
-            Kind::Svg => svg(sheet),
+            DrawingFormat::Dxf => dxf(sheet),
+            DrawingFormat::Svg => svg(sheet),
         }
     }
 }
@@ -93,7 +93,7 @@ fn time(text: &str) -> Result<f64, String> {
 pub fn export(
     model: &ModelOptions,
     options: &DrawingOptions,
-    kind: Kind,
+    kind: DrawingFormat,
     file: &Path,
 ) -> Result<Exit, Failure> {
     let ending = kind.ending();
@@ -128,6 +128,11 @@ pub fn export(
             vec![(file.to_owned(), sheet)]
         }
     };
+    let is_drawn = |(_, sheet): &(PathBuf, Sheet)| sheet.size() != [0.0; 2];
+    if !sheets.iter().any(is_drawn) {
+        let message = "there is nothing to draw: no body has points (give them \"points\")";
+        return Err(BadInput(vec![format!("{}: {message}", model.label())]));
+    }
     let mut page = Page::default();
     for (path, sheet) in sheets {
         let written = write_file(&path, kind.text(&sheet).as_bytes())?;

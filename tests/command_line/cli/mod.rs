@@ -1,5 +1,6 @@
 //! The command as its users meet it: exit statuses, what is told on which stream, files.
 
+mod drawings;
 mod files;
 mod help;
 mod models;

@@ -7,6 +7,8 @@
 
 mod plates;
 mod poses;
+#[cfg(test)]
+mod tests;
 
 use linkdyn_engine::analysis::Control;
 use linkdyn_exchange::export::{Layer, Sheet};

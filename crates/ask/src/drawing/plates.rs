@@ -10,7 +10,7 @@ use linkdyn_picture::hull;
 use linkdyn_picture::poses::{Pose, global};
 use linkdyn_picture::shape::{Joint, JointKind, PitchCircles, Shape};
 
-use super::poses::Rows;
+use super::poses::PlacedRows;
 use crate::shape::with_profiles;
 
 /// Width of a link in parts of the mechanism and of its shortest bar, and its hole in widths.
@@ -83,10 +83,10 @@ pub fn width(model: &Checked, pose: &[Pose]) -> f64 {
 }
 
 /// The plates of all bodies, the ground first.
-pub fn plates(model: &Checked, rows: &Rows, width: f64, hole: f64) -> Vec<Plate> {
+pub fn plates(model: &Checked, rows: &PlacedRows, width: f64, hole: f64) -> Vec<Plate> {
     let shape = with_profiles(model);
     let mut making = Making {
-        bodies: shape.bodies.iter().map(|_| Made::default()).collect(),
+        bodies: shape.bodies.iter().map(|_| PlateDraft::default()).collect(),
         shape: &shape,
         rows,
         width,
@@ -97,7 +97,7 @@ pub fn plates(model: &Checked, rows: &Rows, width: f64, hole: f64) -> Vec<Plate>
         // Outlines of contacts with their arcs.
         let at = making.at(joint, 0);
         for way in own.kind.outlines_around(at) {
-            making.bodies[joint.between[0].0].inner.push(outline(&way));
+            making.put(joint, 0, outline(&way));
         }
     }
     let made = std::mem::take(&mut making.bodies);
@@ -109,7 +109,7 @@ pub fn plates(model: &Checked, rows: &Rows, width: f64, hole: f64) -> Vec<Plate>
 
 /// A plate while its joints are looked at.
 #[derive(Default)]
-struct Made {
+struct PlateDraft {
     inner: Vec<Form>,
     holes: Vec<[f64; 2]>,
     /// Ends of slots, which its outline is around, too.
@@ -117,7 +117,7 @@ struct Made {
     has_block: bool,
 }
 
-impl Made {
+impl PlateDraft {
     fn hole(&mut self, at: [f64; 2]) {
         if !self.holes.contains(&at) {
             self.holes.push(at);
@@ -130,10 +130,12 @@ impl Made {
         points: &[(String, f64, f64)],
         [width, hole]: [f64; 2],
     ) -> Plate {
-        let points: Vec<(String, [f64; 2])> = points
+        let mut points: Vec<(String, [f64; 2])> = points
             .iter()
             .map(|(name, x, y)| (name.clone(), [*x, *y]))
             .collect();
+        // Of the ground only pins are drawn: its other points are ends of springs, and of ways.
+        points.retain(|(_, at)| name != GROUND || self.holes.contains(at));
         let places = points.iter().map(|(_, at)| *at).chain(self.slots);
         let corners = hull(&places.collect::<Vec<_>>());
         let is_closed = |form: &Form| match form {
@@ -149,8 +151,6 @@ impl Made {
         });
         self.inner.extend(holes);
         let marks = points.iter().filter(|(_, at)| !self.holes.contains(at));
-        // A point of the ground that nothing uses is nowhere to be seen.
-        let marks = marks.filter(|_| name != GROUND);
         self.inner.extend(marks.map(|(_, at)| Form::Point(*at)));
         Plate {
             name: name.to_owned(),
@@ -163,9 +163,9 @@ impl Made {
 }
 
 struct Making<'m> {
-    bodies: Vec<Made>,
+    bodies: Vec<PlateDraft>,
     shape: &'m Shape,
-    rows: &'m Rows,
+    rows: &'m PlacedRows,
     width: f64,
     hole: f64,
 }
@@ -177,7 +177,11 @@ impl Making<'_> {
     }
 
     fn put(&mut self, joint: &Joint, end: usize, form: Form) {
-        self.bodies[joint.between[end].0].inner.push(form);
+        // What several joints touch is cut once.
+        let inner = &mut self.bodies[joint.between[end].0].inner;
+        if !inner.contains(&form) {
+            inner.push(form);
+        }
     }
 
     fn circle(&mut self, joint: &Joint, end: usize, radius: f64) {
@@ -273,6 +277,8 @@ impl Making<'_> {
                 }
                 if let Some(radius) = cam.roller {
                     self.circle(joint, 1, radius);
+                    let at = self.at(joint, 1);
+                    self.bodies[second].hole(at);
                 }
                 if let Some([u, v]) = cam.face.filter(|face| *face != [0.0; 2]) {
                     let length = u.hypot(v);

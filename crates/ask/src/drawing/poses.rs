@@ -16,7 +16,7 @@ const OUTPUTS: usize = 101;
 
 /// Poses of all bodies, the ground first.
 #[derive(Debug)]
-pub struct Rows {
+pub struct PlacedRows {
     /// What is drawn.
     pub pose: Vec<Pose>,
     /// The motion, where slides need it; else that pose alone.
@@ -24,7 +24,11 @@ pub struct Rows {
 }
 
 /// The pose at a time, or as assembled; and the motion of a model with slides.
-pub fn rows(file: &ModelFile, at: Option<f64>, control: &Control) -> Result<Rows, Unanswered> {
+pub fn rows(
+    file: &ModelFile,
+    at: Option<f64>,
+    control: &Control,
+) -> Result<PlacedRows, Unanswered> {
     let model = file.model();
     let shape = with_profiles(model);
     let pose = match at.filter(|time| *time > 0.0) {
@@ -51,7 +55,7 @@ pub fn rows(file: &ModelFile, at: Option<f64>, control: &Control) -> Result<Rows
     {
         all.extend(frames(&motion.poses, shape.bodies.len()));
     }
-    Ok(Rows { pose, all })
+    Ok(PlacedRows { pose, all })
 }
 
 /// The poses of an instant: of the ground, then those of the moving bodies in a row.
@@ -95,7 +99,7 @@ fn at_time(file: &ModelFile, time: f64, control: &Control) -> Result<Vec<Pose>, 
     last.ok_or_else(|| Unanswered::Failed(format!("there is no pose at {time} s")))
 }
 
-impl Rows {
+impl PlacedRows {
     /// Least and greatest slide of the second point of a joint along an axis of its first body \[m\].
     pub fn reach(&self, shape: &Shape, joint: &Joint, axis: [f64; 2]) -> [f64; 2] {
         let slide = |pose: &Vec<Pose>| {

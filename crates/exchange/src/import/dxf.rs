@@ -41,7 +41,7 @@ pub fn read(bytes: &[u8]) -> Result<Sketch, Refused> {
         Ok(text) => text.to_owned(),
         Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
     };
-    let mut reader = Reader::default();
+    let mut reader = DxfReader::default();
     reader.read(&text)?;
     reader.expanded()
 }
@@ -88,7 +88,7 @@ struct Old {
 
 /// What was read so far.
 #[derive(Debug, Default)]
-struct Reader {
+struct DxfReader {
     sketch: Sketch,
     blocks: HashMap<String, Block>,
     /// The block that is open.
@@ -99,7 +99,7 @@ struct Reader {
     count: usize,
 }
 
-impl Reader {
+impl DxfReader {
     fn read(&mut self, text: &str) -> Result<(), Refused> {
         let (mut section, mut variable) = ("", "");
         let mut entity = Entity::default();

@@ -49,10 +49,14 @@ pub struct Drawn {
 impl Sketch {
     /// Says that something of the file is not in the model.
     pub fn leave(&mut self, place: impl Into<String>, what: impl Into<String>) {
-        self.left_out.push(LeftOut {
+        let left = LeftOut {
             place: place.into(),
             what: what.into(),
-        });
+        };
+        // Of a polyline the same may be said of many corners.
+        if !self.left_out.contains(&left) {
+            self.left_out.push(left);
+        }
     }
 
     /// Counts a kind of entity that is not read.
@@ -772,6 +776,8 @@ impl Reading {
             }
             stays
         });
+        // In the order of the drawing, whatever they were found by.
+        parts.iter_mut().for_each(|part| part.spots.sort_unstable());
         self.parts = parts;
     }
 

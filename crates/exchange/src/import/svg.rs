@@ -38,7 +38,7 @@ const ROUND: f64 = 1e-3;
 /// Where it is no SVG.
 pub fn read(text: &str, scaled: bool) -> Result<Sketch, Refused> {
     let document = xml::parse(text, "svg")?;
-    let mut reader = Reader {
+    let mut reader = SvgReader {
         lines: XmlLines::of(text),
         ids: ids(&document),
         sketch: Sketch::default(),
@@ -89,7 +89,7 @@ struct Row {
     drawn: Drawn,
 }
 
-struct Reader<'d, 'i> {
+struct SvgReader<'d, 'i> {
     lines: XmlLines,
     ids: HashMap<&'d str, Node<'d, 'i>>,
     sketch: Sketch,
@@ -97,7 +97,7 @@ struct Reader<'d, 'i> {
     count: usize,
 }
 
-impl<'d, 'i> Reader<'d, 'i> {
+impl<'d, 'i> SvgReader<'d, 'i> {
     /// Millimetres of a user unit.
     fn scale(&mut self, root: Node<'d, 'i>) -> Result<f64, Refused> {
         let pixel = MM / INCH;

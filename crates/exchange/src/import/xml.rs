@@ -44,7 +44,7 @@ pub(super) fn parse<'t>(text: &'t str, root: &str) -> Result<Document<'t>, Refus
                 "the first element is <{}>, not <{root}>",
                 found.tag_name().name()
             ),
-            "--from says what a file is: mjcf, urdf, sdf, svg",
+            "--from says what a file is: mjcf, urdf, sdf",
         ));
     }
     Ok(document)
