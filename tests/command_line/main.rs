@@ -17,6 +17,7 @@ mod compare;
 #[cfg(target_os = "linux")]
 mod edit;
 mod exchange;
+mod export;
 mod figures;
 mod full_disk;
 mod fuzz_finds;
