@@ -13,7 +13,7 @@ use super::streams::{complain, json, tell, tell_json};
 use linkdyn_ask::ModelFile;
 use linkdyn_ask::Question;
 use linkdyn_ask::modes::Modes;
-use linkdyn_ask::state_space::StateSpace;
+use linkdyn_ask::state_space::{Linearisation, StateSpace};
 use linkdyn_engine::analysis::Control;
 use linkdyn_output::{Directory, Status, csv};
 
@@ -21,7 +21,6 @@ const TABLE: &str = "modes.csv";
 const SUMMARY: &str = "modes.json";
 const PAGE: &str = "modes.html";
 const STATE_SPACE: &str = "state-space.json";
-const FIGURES: [&str; 2] = ["bode.svg", "nyquist.svg"];
 
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
@@ -150,7 +149,7 @@ fn linearise(
             }
         };
         written.push(directory.write(STATE_SPACE, json(&found)?.as_bytes())?);
-        for name in FIGURES {
+        for name in Linearisation::figure_files() {
             match figures.iter().find(|(figure, _)| *figure == name) {
                 Some((_, svg)) => written.push(directory.write(name, svg.as_bytes())?),
                 None => directory.remove(name)?,

@@ -1,6 +1,7 @@
 //! Next to the full engine: differences of runs, and motions over a short time.
 
 use super::*;
+use crate::models;
 
 /// Columns at the beginning of a run.
 fn beginning(model: &Value, columns: &[&str]) -> Vec<f64> {
@@ -109,7 +110,7 @@ fn states_of_a_motion_are_states() {
     model["forces"] = json!({
         "s": { "type": "spring", "between": ["ground.O", "slider.B"], "stiffness": 900.0, "damping": 15.0, "free_length": 0.3 },
         "u": { "type": "torque", "body": "crank", "value": "=-40 N/(m*s)*state.e*0.1 m - 0.02 N*m*s*crank.omega/(1 rad)" } });
-    model["analysis"] = json!({ "type": "dynamics", "end": 0.4, "outputs": 5,
+    model["analysis"] = json!({ "type": "dynamics", "end": 0.4, "outputs": 5, "columns": ["*", "force.u.torque"],
         "solver": { "rtol": 1e-12, "atol": 1e-14 } });
     let columns = ["slider.ax", "joint.b.fy", "state.e", "force.u.torque"];
     let found = moving(&model, &["slider.B.fx", "force.u"], &columns, 0.2);
@@ -207,10 +208,67 @@ fn the_linear_system_is_off_by_second_order() {
         println!("{torque}: moved {moved:e}, off by {:e}", moved - linear);
         (moved - linear).abs()
     };
-    let steps = [0.4, 0.2, 0.1, 0.05].map(off);
+    let steps = [0.05, 0.025, 0.0125, 0.00625].map(off);
     for pair in steps.windows(2) {
         let order = (pair[0] / pair[1]).log2();
         println!("order {order}");
         assert!((order - 2.0).abs() <= 0.05, "{order} {steps:?}");
     }
+}
+
+/// y at the point is the row of the run there, whatever the columns: redundant joints, cams, gears, contacts.
+#[test]
+fn outputs_of_a_point_are_those_of_the_run() {
+    let mut compared = 0;
+    for bundled in linkdyn_model::bundled::MODELS.iter() {
+        let model = models::load_bundled(bundled.name, &[]);
+        let is_short = |outputs: Option<usize>| outputs.is_some_and(|outputs| outputs <= 1000);
+        if !model
+            .analysis
+            .as_ref()
+            .is_some_and(|own| is_short(own.outputs))
+        {
+            continue;
+        }
+        let run = models::solve(&model);
+        let row = run.trajectory.len() / 3;
+        let time = models::values(&run, "time")[row];
+        let driver = model
+            .drivers
+            .keys()
+            .next()
+            .map(|name| format!("driver.{name}"));
+        let inputs: Vec<&str> = driver.iter().map(String::as_str).collect();
+        let question = StateSpaceQuestion {
+            at: vec![time],
+            ..question(&inputs, &["*"])
+        };
+        let found = state_space(&models::checked(&model), &question, &Control::default());
+        let found = match found {
+            Ok(mut found) => found.remove(0),
+            // Bodies without masses, bristles, bearings with massless links.
+            Err(NoLinearSystem::Model(_)) => continue,
+            Err(why) => panic!("{}: {why:?}", bundled.name),
+        };
+        // Measured by the largest value of its unit, so that what is round-off of zero counts as such.
+        let largest = |unit: &str| {
+            let all = found.outputs.iter().filter(|own| own.unit == unit);
+            all.fold(1e-300, |most: f64, own| most.max(own.value.abs()))
+        };
+        for output in &found.outputs {
+            let Some(all) = run.trajectory.values(&output.name) else {
+                continue;
+            };
+            let off = (output.value - all[row]).abs() / largest(&output.unit);
+            let name = (bundled.name, &output.name);
+            assert!(
+                off <= 1e-9,
+                "{name:?}: {} {} {off:e}",
+                output.value,
+                all[row]
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 1000, "{compared}");
 }

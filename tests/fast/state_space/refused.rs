@@ -11,16 +11,34 @@ fn says(model: &Value, question: &StateSpaceQuestion, known: &str) {
 fn inputs_that_are_none_are_told() {
     let model = cart_pole();
     for (inputs, said) in [
-        (&["driver.bellt"][..], "input \"driver.bellt\": there is no driver \"bellt\" (did you mean \"belt\"?)"),
-        (&["force.wind"], "input \"force.wind\": there is no force \"wind\", the model has none"),
-        (&["pole.X.fx"], "input \"pole.X.fx\": there is no point of \"pole\" called \"X\" (there are: P, T)"),
-        (&["axle.torque"], "input \"axle.torque\": there is no body \"axle\" (there are: cart, pole)"),
-        (&["ground.torque"], "input \"ground.torque\": the ground does not move"),
+        (
+            &["driver.bellt"][..],
+            "input \"driver.bellt\": there is no driver \"bellt\" (did you mean \"belt\"?)",
+        ),
+        (
+            &["force.wind"],
+            "input \"force.wind\": there is no force \"wind\", the model has none",
+        ),
+        (
+            &["pole.X.fx"],
+            "input \"pole.X.fx\": there is no point of \"pole\" called \"X\" (there are: P, T)",
+        ),
+        (
+            &["wheel.torque"],
+            "input \"wheel.torque\": there is no body \"wheel\" (there are: cart, pole)",
+        ),
+        (
+            &["ground.torque"],
+            "input \"ground.torque\": the ground does not move",
+        ),
         (
             &["belt"],
             "input \"belt\": inputs are called driver.NAME, driver.NAME.acceleration, force.NAME, BODY.POINT.fx, BODY.POINT.fy or BODY.torque",
         ),
-        (&["pole.torque", "pole.torque"], "input \"pole.torque\": it is an input already"),
+        (
+            &["pole.torque", "pole.torque"],
+            "input \"pole.torque\": it is an input already",
+        ),
         (
             &["driver.belt", "driver.belt.acceleration"],
             "input \"driver.belt.acceleration\": its driver is an input already, \"driver.belt.effort\"",
@@ -41,8 +59,14 @@ fn inputs_that_are_none_are_told() {
 fn outputs_that_are_none_are_told() {
     let model = cart_pole();
     for (output, said) in [
-        ("pole.angel", "output \"pole.angel\": no column is called so (did you mean \"pole.angle\"?)"),
-        ("q*", "output \"q*\": no column is called so (names are those of results.csv, without units)"),
+        (
+            "pole.angel",
+            "output \"pole.angel\": no column is called so (did you mean \"pole.angle\"?)",
+        ),
+        (
+            "q*",
+            "output \"q*\": no column is called so (names are those of results.csv, without units)",
+        ),
     ] {
         says(&model, &question(&["driver.belt"], &[output]), said);
     }
@@ -55,19 +79,39 @@ fn points_that_are_none_are_told() {
         at: times.to_vec(),
         ..question(&["driver.belt"], &[])
     };
-    says(&model, &at(&[0.5, 1.5]), "at 1.5 s: the motion is known from 0 to 1 s");
-    says(&model, &at(&[f64::NAN]), "at NaN s: the motion is known from 0 to 1 s");
+    says(
+        &model,
+        &at(&[0.5, 1.5]),
+        "at 1.5 s: the motion is known from 0 to 1 s",
+    );
+    says(
+        &model,
+        &at(&[f64::NAN]),
+        "at – s: the motion is known from 0 to 1 s",
+    );
     let mut still = model.clone();
     still["analysis"] = json!({ "type": "statics" });
     let hint = "use \"kinematics\", \"inverse_dynamics\" or \"dynamics\", or linearise about rest";
-    says(&still, &at(&[0.0]), &format!("analysis: this analysis has no motion to linearise along ({hint})"));
+    says(
+        &still,
+        &at(&[0.0]),
+        &format!("analysis: this analysis has no motion to linearise along ({hint})"),
+    );
     still.as_object_mut().expect("a model").remove("analysis");
     says(
         &still,
         &at(&[0.0]),
-        &format!("analysis: the model has no analysis, and so no motion to linearise along ({hint})"),
+        &format!(
+            "analysis: the model has no analysis, and so no motion to linearise along ({hint})"
+        ),
     );
-    let held = slider_crank(0.1, 0.3, 0.6, false, &json!({ "type": "polynomial", "coefficients": [0.6, 4.0] }));
+    let held = slider_crank(
+        0.1,
+        0.3,
+        0.6,
+        false,
+        &json!({ "type": "polynomial", "coefficients": [0.6, 4.0] }),
+    );
     says(
         &held,
         &question(&["slider.B.fx"], &[]),
@@ -92,7 +136,7 @@ fn contacts_of_the_point_are_told() {
         "mass": { "mass": 2.5, "inertia": 1.0, "com": [0.0, 0.0], "points": { "P": [0.0, 0.0] },
                   "pose": { "position": [0.0, 0.3] } } });
     let guide = json!({ "type": "prismatic", "between": ["ground.O", "mass.P"], "axis": [0.0, 1.0],
-        "limits": { "min": 0.1, "max": 0.5, "stop": { "stiffness": 1e4, "damping": 10.0 } } });
+        "limits": [0.1, 0.5], "stiffness": 1e4, "damping": 300.0 });
     let mut model = model(bodies, json!({ "g": guide }), json!({}));
     model["analysis"] = json!({ "type": "dynamics", "end": 3.0, "outputs": 4 });
     let found = linear(&model, &["mass.P.fy"], &["mass.y", "joint.g.stop"]);
@@ -104,5 +148,8 @@ fn contacts_of_the_point_are_told() {
     near(gain[0][0], 1.0 / stiffness, 1e-15);
     near(gain[1][0].abs(), 1.0, 1e-10);
     let moving = moving(&model, &["mass.P.fy"], &["mass.y", "joint.g.stop"], 3.0);
-    assert_eq!(moving.phases, ["the lower stop of joint \"g\" is in contact"]);
+    assert_eq!(
+        moving.phases,
+        ["the lower stop of joint \"g\" is in contact"]
+    );
 }

@@ -68,7 +68,7 @@ fn the_static_gain_is_the_slope_of_statics() {
     .expect("JSON");
     model["forces"]["motor"] = json!({ "type": "torque", "body": "left", "value": 0.5 });
     model["points"] = json!(["coupler.C"]);
-    let columns = ["left.angle", "coupler.C.x", "joint.c.fx", "joint.a.fy"];
+    let columns = ["left.angle", "coupler.C.x", "joint.c.fx", "joint.a.fx"];
     let found = linear(&model, &["force.motor"], &columns);
     let gain = found.gain.expect("it is stable");
     let at = |torque: f64| {

@@ -10,10 +10,21 @@ use linkdyn_picture::{Axis, Chart, Curve, Fault, MOST_CURVES, Panel, svg};
 
 use super::Linearisation;
 
-/// Outputs that a figure shows.
-const MOST_OUTPUTS: usize = 4;
+const BODE: &str = "bode.svg";
+/// One for each output that is shown.
+const NYQUIST: [&str; 4] = [
+    "nyquist.svg",
+    "nyquist-2.svg",
+    "nyquist-3.svg",
+    "nyquist-4.svg",
+];
 
 impl Linearisation {
+    /// Files that figures may have.
+    pub fn figure_files() -> impl Iterator<Item = &'static str> {
+        std::iter::once(BODE).chain(NYQUIST)
+    }
+
     /// Figures of the frequency responses, with the names of their files; none where there are no inputs. What they leave out is told.
     ///
     /// # Errors
@@ -27,72 +38,58 @@ impl Linearisation {
             return Ok((Vec::new(), Vec::new()));
         };
         let mut bode = Vec::new();
-        let mut nyquist = Vec::new();
-        let shown = first.outputs.iter().take(MOST_OUTPUTS).enumerate();
-        for (row, output) in shown {
-            let curves = self.curves(row);
-            let of = |part: fn(&ResponseCurve) -> Curve| {
-                curves
-                    .iter()
-                    .take(MOST_CURVES)
-                    .map(part)
-                    .collect::<Vec<_>>()
-            };
-            bode.push(panel(
-                &format!("|{}|", output.name),
-                &self.unit(output),
-                true,
-                of(ResponseCurve::size),
-            ));
-            bode.push(panel(
-                &format!("phase of {}", output.name),
-                "deg",
-                false,
-                of(ResponseCurve::phase),
-            ));
-            nyquist.push(panel(
-                &format!("Im {}", output.name),
-                &self.unit(output),
-                false,
-                of(ResponseCurve::path),
-            ));
-        }
+        let mut written = Vec::new();
         let frequency = Axis {
             log: true,
             ..Axis::new("frequency", "Hz")
         };
-        let real = Axis::new(
-            "real part",
-            if nyquist.len() == 1 {
-                self.unit(&first.outputs[0])
-            } else {
-                String::new()
-            },
-        );
-        let figures = [
-            ("bode.svg", frequency, bode),
-            ("nyquist.svg", real, nyquist),
-        ];
-        let mut written = Vec::with_capacity(figures.len());
-        for (name, x, panels) in figures {
-            let chart = Chart {
-                title: self.file.name().to_owned(),
-                x,
-                panels,
-                grid: true,
-                whole: true,
-                ..Chart::default()
+        let shown = first.outputs.iter().zip(NYQUIST).enumerate();
+        for (row, (output, file)) in shown {
+            let curves = self.curves(row);
+            let (name, unit) = (&output.name, self.unit(output));
+            let of = |part: fn(&ResponseCurve) -> Curve| {
+                let shown = curves.iter().take(MOST_CURVES);
+                shown.map(part).collect::<Vec<_>>()
             };
-            written.push((name, svg::write(&chart.draw()?)));
+            bode.push(panel(
+                &format!("|{name}|"),
+                &unit,
+                true,
+                of(ResponseCurve::size),
+            ));
+            bode.push(panel(
+                &format!("phase of {name}"),
+                "deg",
+                false,
+                of(ResponseCurve::phase),
+            ));
+            let path = panel(&format!("Im {name}"), &unit, false, of(ResponseCurve::path));
+            written.push((
+                file,
+                self.drawn(Axis::new(format!("Re {name}"), unit), vec![path])?,
+            ));
         }
+        written.insert(0, (BODE, self.drawn(frequency, bode)?));
         let curves = first.inputs.len() * self.systems.len();
         let more = [
-            (first.outputs.len() > MOST_OUTPUTS)
-                .then(|| format!("the figures show the first {MOST_OUTPUTS} outputs")),
+            (first.outputs.len() > NYQUIST.len())
+                .then(|| format!("the figures show the first {} outputs", NYQUIST.len())),
             (curves > MOST_CURVES)
                 .then(|| format!("the figures show the first {MOST_CURVES} curves of an output")),
         ];
         Ok((written, more.into_iter().flatten().collect()))
+    }
+
+    fn drawn(&self, x: Axis, panels: Vec<Panel>) -> Result<String, Fault> {
+        let chart = Chart {
+            title: self.file.name().to_owned(),
+            x,
+            panels,
+            grid: true,
+            whole: true,
+            ..Chart::default()
+        };
+        Ok(svg::write(&chart.draw()?))
     }
 
     /// The unit of a response: that of an output by that of the inputs, where these have one.

@@ -122,10 +122,10 @@ impl Linearisation {
         let [from, to] = self.range();
         let place = |k: usize| from * (to / from).powf(k as f64 / (POINTS - 1) as f64);
         let mut frequencies: Vec<f64> = (0..POINTS).map(place).collect();
-        // Peaks are narrow: at the poles there is a place, and some beside it.
         for [re, im] in &system.poles {
-            let (centre, width) = (im / TAU, re.abs().max(1e-3 * im) / TAU);
-            let near = (-8..=8).map(|k| centre + 0.25 * f64::from(k) * width);
+            // Equal parts of the circle that the response goes through there.
+            let (centre, width) = (im / TAU, re.abs().max(1e-6 * im) / TAU);
+            let near = (-44..=44).map(|k| centre + width * (2.0 * f64::from(k)).to_radians().tan());
             frequencies.extend(near.filter(|f| (from..=to).contains(f)));
         }
         frequencies.sort_by(f64::total_cmp);

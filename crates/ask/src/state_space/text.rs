@@ -9,6 +9,8 @@ use crate::text::words::{equilibrium, status_words};
 use crate::text::{Page, Side, Table, number};
 
 const DIGITS: usize = 6;
+/// Rates in SI that are round-off.
+const STILL: f64 = 1e-12;
 /// States, inputs and outputs up to which matrices are printed.
 const MOST: usize = 12;
 
@@ -34,11 +36,15 @@ impl Linearisation {
 
     fn of(&self, system: &LinearSystem, page: &mut Page) {
         page.row("about", self.about(system));
-        page.rows("equilibrium", system.equilibrium.iter().map(equilibrium));
+        let place = match self.question.pose {
+            true => "position",
+            false => "equilibrium",
+        };
+        page.rows(place, system.equilibrium.iter().map(equilibrium));
         page.rows("contacts", &system.phases);
         let rates = system.states.iter().zip(&system.rates);
         let states = rates.map(|(state, rate)| {
-            let drift = match *rate == 0.0 {
+            let drift = match rate.abs() < STILL {
                 true => String::new(),
                 false => format!(", rate {}", number(*rate, DIGITS)),
             };

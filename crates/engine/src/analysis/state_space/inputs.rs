@@ -1,9 +1,10 @@
 //! What the inputs of a linear system are, by their names.
 
-use super::NoLinearSystem;
+use super::answer::NoLinearSystem;
+use crate::analysis::words::listed;
 use crate::element::formula::Strength;
 use crate::element::quantity::Measured;
-use crate::element::{Applied, Axis, BodyId, Kinematics, Marker, Measure};
+use crate::element::{Applied, BodyId, Kinematics, Marker, Measure};
 use crate::system::{ForceRole, System};
 use linkdyn_linear::math::Vec2;
 use linkdyn_model::{Checked, GROUND, nearest};
@@ -120,7 +121,7 @@ fn none<'a>(what: &str, name: &str, known: impl Iterator<Item = &'a str> + Clone
             match known.is_empty() {
                 true => format!("there is no {what} {name:?}, the model has none"),
                 false => {
-                    let known = super::super::words::listed(&known, ", ");
+                    let known = listed(&known, ", ");
                     format!("there is no {what} {name:?} (there are: {known})")
                 }
             }
@@ -235,13 +236,4 @@ fn force(system: &System, at: &Kinematics, name: &str) -> Result<(&'static str, 
         }
         ForceRole::Stretch { .. } => return Err("it is a stretch of a cable".into()),
     })
-}
-
-/// Axes in which coordinates of bodies are named.
-pub fn word(axis: Axis) -> &'static str {
-    match axis {
-        Axis::X => "x",
-        Axis::Y => "y",
-        Axis::Theta => "angle",
-    }
 }

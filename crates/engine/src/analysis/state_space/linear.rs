@@ -1,16 +1,18 @@
 //! A, B, C, D about one point.
 
-use super::inputs::{Input, NamedInput, word};
+use super::answer::{LinearSystem, NoLinearSystem, StateSpaceQuestion, Variable};
+use super::inputs::{Input, NamedInput};
 use super::outputs::OutputColumns;
 use super::points::OperatingPoint;
-use super::{LinearSystem, NoLinearSystem, StateSpaceQuestion, Variable};
+use crate::analysis::equilibrium::coordinate_name;
 use crate::analysis::sample::{ContactSample, Sample};
-use crate::element::Measure;
+use crate::analysis::words::locked;
 use crate::element::pair::{ContactId, Hold, Surface};
+use crate::element::{Axis, Measure};
 use crate::mechanism::driven::Failure;
 use crate::mechanism::released::{GivenPoint, Released};
 use crate::mechanism::ridders::{Derivative, derivatives};
-use crate::system::{BodyPart, System};
+use crate::system::System;
 use linkdyn_linear::state_space::{eigenvalues, static_gain};
 use linkdyn_model::Checked;
 use linkdyn_output::{BodyQuantity, Channel, DriverQuantity, Status};
@@ -24,7 +26,7 @@ pub fn about(
     question: &StateSpaceQuestion,
     point: OperatingPoint,
 ) -> Result<LinearSystem, NoLinearSystem> {
-    let mut local = Local::new(model, question, &point)?;
+    let mut local = NearPoint::new(model, question, &point)?;
     let (states, inputs) = (local.states(), local.inputs());
     let (x, w) = (values(&states), values(&inputs));
     let mut start = Vec::new();
@@ -33,7 +35,7 @@ pub fn about(
         .map_err(|failure| singular(local.system(), failure))?;
     let rates = start[..x.len()].to_vec();
     let outputs = local.outputs_at(&start[x.len()..])?;
-    let mut matrices = Matrices::new(x.len(), outputs.len(), local.f());
+    let mut matrices = MatrixColumns::new(x.len(), outputs.len(), local.f());
     let mut place = (x.clone(), w.clone());
     for column in 0..x.len() + w.len() {
         let length = local.length(column, &x, &w);
@@ -96,7 +98,7 @@ fn values(all: &[Variable]) -> Vec<f64> {
 
 fn singular(system: &System, failure: Failure) -> NoLinearSystem {
     let message = match failure {
-        Failure::Locked { force } => crate::analysis::words::locked(system, force),
+        Failure::Locked { force } => locked(system, force),
         Failure::Singular | Failure::Diverged { .. } | Failure::Inconsistent { .. } => {
             "the point has no linear equations: the mechanism is in a singular position, or what is free to move has neither mass nor inertia".into()
         }
@@ -108,7 +110,7 @@ fn singular(system: &System, failure: Failure) -> NoLinearSystem {
 }
 
 /// The mechanism at places about a point.
-struct Local<'p> {
+struct NearPoint<'p> {
     released: Released<'p>,
     outputs: OutputColumns<'p>,
     named: Vec<NamedInput>,
@@ -123,7 +125,7 @@ struct Local<'p> {
     force: Vec<f64>,
 }
 
-impl<'p> Local<'p> {
+impl<'p> NearPoint<'p> {
     fn new(
         model: &Checked,
         question: &StateSpaceQuestion,
@@ -175,17 +177,17 @@ impl<'p> Local<'p> {
         let mut otherwise: Vec<Channel> = Vec::new();
         for column in &point.columns {
             let (body, axis) = system.layout.coordinate(*column);
-            let quantity = match word(axis) {
-                "x" => BodyQuantity::X,
-                "y" => BodyQuantity::Y,
-                _ => BodyQuantity::Angle,
+            let quantity = match axis {
+                Axis::X => BodyQuantity::X,
+                Axis::Y => BodyQuantity::Y,
+                Axis::Theta => BodyQuantity::Angle,
             };
             otherwise.extend(body.index().map(|body| Channel::Body(body, quantity)));
         }
         let drivers = driven.iter();
         otherwise.extend(drivers.map(|driver| Channel::Driver(*driver, DriverQuantity::Value)));
         let outputs = OutputColumns::new(system, point.rubs, &question.outputs, &otherwise)?;
-        let local = Local {
+        let local = NearPoint {
             sample: Sample::new(system),
             released,
             outputs,
@@ -225,17 +227,11 @@ impl<'p> Local<'p> {
         let system = self.system();
         let coordinates = self.released.driven.independent.iter();
         let name_and_measure = |column: usize| {
-            let (body, axis) = system.layout.coordinate(column);
-            let own = body.index().map(|body| &system.bodies[body]);
-            let turns = word(axis) == "angle"
-                && own.is_none_or(|own| !matches!(own.part(), BodyPart::Amplitudes { .. }));
-            let name = own.map_or("", |own| &own.name);
-            let measure = if turns {
-                Measure::Angle
-            } else {
-                Measure::Length
+            let measure = match system.layout.coordinate(column).1 {
+                Axis::X | Axis::Y => Measure::Length,
+                Axis::Theta => Measure::Angle,
             };
-            (format!("{name}.{}", word(axis)), measure)
+            (coordinate_name(system, column), measure)
         };
         let of_driver = |driver: &usize| {
             let data = &system.drivers[*driver];
@@ -491,7 +487,7 @@ fn unit(measure: Measure, order: usize) -> &'static str {
 }
 
 /// A, B, C, D and their errors, while columns come.
-struct Matrices {
+struct MatrixColumns {
     a: Vec<Vec<f64>>,
     b: Vec<Vec<f64>>,
     c: Vec<Vec<f64>>,
@@ -501,9 +497,9 @@ struct Matrices {
     f: usize,
 }
 
-impl Matrices {
+impl MatrixColumns {
     fn new(states: usize, outputs: usize, f: usize) -> Self {
-        Matrices {
+        MatrixColumns {
             a: vec![Vec::new(); states],
             b: vec![Vec::new(); states],
             c: vec![Vec::new(); outputs],
@@ -514,7 +510,7 @@ impl Matrices {
     }
 
     /// Takes the derivatives of ẋ and y by one state, or one input behind them.
-    fn take(&mut self, column: usize, states: usize, local: &Local, found: &[Derivative]) {
+    fn take(&mut self, column: usize, states: usize, local: &NearPoint, found: &[Derivative]) {
         let (of_rates, of_outputs) = found.split_at(states);
         let is_state = column < states;
         let [first, second] = match is_state {

@@ -1,13 +1,13 @@
 //! The outputs of a linear system: columns of results at any state.
 
-use super::NoLinearSystem;
+use super::answer::NoLinearSystem;
 use crate::analysis::channels::{Channels, Contents};
 use crate::analysis::derived_columns::{DerivedColumns, DerivedSelection};
 use crate::analysis::rows::Columns;
 use crate::analysis::sample::Sample;
 use crate::system::{Evaluation, Inputs, System};
 use linkdyn_model::nearest;
-use linkdyn_output::{Channel, Column, matches};
+use linkdyn_output::{Channel, Column, EnergyQuantity, matches};
 
 /// The columns that are outputs, and what reads them.
 pub struct OutputColumns<'s> {
@@ -43,7 +43,13 @@ impl<'s> OutputColumns<'s> {
         let mut headings = channels.columns().to_vec();
         headings.extend(selection.headings());
         let mut chosen = Vec::new();
-        let places = || headings.iter().enumerate().skip(1);
+        // Time, and what is a sum over the motion before, are no functions of the state.
+        let is_own =
+            |column: &Column| column.channel != Some(Channel::Energy(EnergyQuantity::Dissipated));
+        let places = || {
+            let all = headings.iter().enumerate().skip(1);
+            all.filter(|(_, column)| is_own(column))
+        };
         for pattern in patterns {
             let fits = places().filter(|(_, column)| matches(pattern, &column.name));
             let before = chosen.len();

@@ -1,6 +1,6 @@
 //! Where a mechanism is linearised: at rest, or at instants of its motion.
 
-use super::NoLinearSystem;
+use super::answer::NoLinearSystem;
 use crate::analysis::bent::straightened;
 use crate::analysis::channels::Contents;
 use crate::analysis::control::Control;
@@ -9,7 +9,7 @@ use crate::analysis::question::{Kind, Question};
 use crate::analysis::statics::{described, warning};
 use crate::analysis::words::friction_left_out;
 use crate::analysis::{assembly, driven, dynamics};
-use crate::element::pair::{Hold, Phase, Surface};
+use crate::element::pair::{ContactId, Hold, Phase, Surface};
 use crate::system::compile::{compile, compile_about_rest};
 use crate::system::{Inputs, System};
 use linkdyn_model::error::{Complaint, Complaints};
@@ -40,7 +40,7 @@ pub struct OperatingPoint<'p> {
 }
 
 /// What is done at a point.
-pub type Told<'t> = &'t mut dyn FnMut(OperatingPoint) -> Result<(), NoLinearSystem>;
+pub type ToldPoint<'t> = &'t mut dyn FnMut(OperatingPoint) -> Result<(), NoLinearSystem>;
 
 /// The equilibrium or, with `pose`, the assembled position.
 ///
@@ -50,7 +50,7 @@ pub fn at_rest(
     model: &Checked,
     pose: bool,
     control: &Control,
-    told: Told,
+    told: ToldPoint,
 ) -> Result<(), NoLinearSystem> {
     let system = straightened(model, compile_about_rest(model)?);
     let full = straightened(model, compile(model, AnalysisKind::Dynamics)?);
@@ -90,7 +90,12 @@ pub fn at_rest(
     rest(&full, pose, control, told)
 }
 
-fn rest(system: &System, pose: bool, control: &Control, told: Told) -> Result<(), NoLinearSystem> {
+fn rest(
+    system: &System,
+    pose: bool,
+    control: &Control,
+    told: ToldPoint,
+) -> Result<(), NoLinearSystem> {
     modes::at_rest(
         system,
         pose,
@@ -132,7 +137,7 @@ pub fn along(
     model: &Checked,
     times: &[f64],
     control: &Control,
-    told: Told,
+    told: ToldPoint,
 ) -> Result<(), NoLinearSystem> {
     let no_motion = |why: &str, hint: &str| {
         let complaint = Complaint::new("analysis", why).hint(hint);
@@ -175,10 +180,8 @@ pub fn along(
     if let Some(complaint) = assembly::too_short(&system) {
         return Err(NoLinearSystem::Model(complaint.into()));
     }
-    let is_prescribed = match question.kind {
-        Kind::Prescribed => true,
-        _ => dynamics::Start::of(&system)?.is_driven(&system) && system.timed.is_empty(),
-    };
+    let is_prescribed = question.kind == Kind::Prescribed
+        || dynamics::Start::of(&system)?.is_driven(&system) && system.timed.is_empty();
     match is_prescribed {
         true => prescribed(&system, &question, &times, control, told),
         false => {
@@ -230,7 +233,7 @@ fn remembers(system: &System) -> Result<(), NoLinearSystem> {
     });
     match bristles {
         Some((_, contact)) => {
-            let path = system.owner_path(crate::element::pair::ContactId(contact));
+            let path = system.owner_path(ContactId(contact));
             Err(said(path))
         }
         None => Ok(()),
@@ -243,7 +246,7 @@ fn prescribed(
     question: &Question,
     times: &[f64],
     control: &Control,
-    told: Told,
+    told: ToldPoint,
 ) -> Result<(), NoLinearSystem> {
     if let Some(joint) = system
         .joints
@@ -305,9 +308,7 @@ impl OperatingPoint<'_> {
     pub fn phases(&self) -> Vec<String> {
         let contacts = self.inputs.contacts.iter().zip(&self.holds).enumerate();
         let told = contacts.filter_map(|(contact, (memory, hold))| {
-            let name = self
-                .system
-                .contact_name(crate::element::pair::ContactId(contact));
+            let name = self.system.contact_name(ContactId(contact));
             let pressed = self.pressed.get(contact) == Some(&true);
             let what = match (hold, memory.phase) {
                 (Hold::Slides, _) => "is held as a constraint",
@@ -319,11 +320,5 @@ impl OperatingPoint<'_> {
             Some(format!("{name} {what}"))
         });
         told.collect()
-    }
-}
-
-impl From<Complaint> for NoLinearSystem {
-    fn from(complaint: Complaint) -> Self {
-        NoLinearSystem::Model(complaint.into())
     }
 }
