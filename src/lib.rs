@@ -59,7 +59,7 @@ mod studies;
 pub use error::Error;
 pub use family::{Family, Member};
 pub use handles::{Column, Parameter};
-pub use linkdyn_engine::analysis::{Control, Linearised, Mode};
+pub use linkdyn_engine::analysis::{Control, LinearSystem, Linearised, Mode, Variable};
 pub use linkdyn_model::Model;
 pub use linkdyn_model::error::{Complaint, Complaints, Place};
 pub use linkdyn_output::{Episode, Event, EventKind, Report, Status};
@@ -93,6 +93,7 @@ pub mod ask {
     pub use linkdyn_ask::compare::{Compare, Compared};
     pub use linkdyn_ask::modes::{Modes, SmallMotions};
     pub use linkdyn_ask::optimise::{Optimise, Optimised};
+    pub use linkdyn_ask::state_space::{FrequencyResponse, Linearisation, StateSpace};
     pub use linkdyn_ask::study::{Studied, Study, Varied};
     pub use linkdyn_engine::analysis::Check as Findings;
     pub use linkdyn_study::design::Method;

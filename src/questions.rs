@@ -4,8 +4,8 @@ use linkdyn_ask::run::{limited, warned};
 use linkdyn_engine::analysis::Control;
 
 use crate::ask::{
-    Accuracy, Allocate, Allocation, Check, Compare, Compared, Deviations, Diagnosis, Modes,
-    Optimise, Optimised, Question, SmallMotions, Studied, Study,
+    Accuracy, Allocate, Allocation, Check, Compare, Compared, Deviations, Diagnosis, Linearisation,
+    Modes, Optimise, Optimised, Question, SmallMotions, StateSpace, Studied, Study,
 };
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -81,6 +81,31 @@ impl Mechanism {
     /// ```
     pub fn modes(&self) -> Result<SmallMotions, Error> {
         self.ask(&Modes::default(), &Control::default())
+    }
+
+    /// The mechanism as a linear system ẋ = A x + B w, y = C x + D w, about rest or at instants of its motion.
+    ///
+    /// # Errors
+    /// [`Error::Model`] where it can't be compiled, [`Error::Question`] where there are no such inputs, outputs or instants.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::StateSpace;
+    /// use linkdyn::prelude::*;
+    ///
+    /// let four_bar = Mechanism::bundled("four-bar")?;
+    /// let found = four_bar.linearise(&StateSpace {
+    ///     inputs: vec!["driver.motor".into()],
+    ///     outputs: vec!["rocker.angle".into()],
+    ///     at: vec![0.3],
+    ///     ..StateSpace::default()
+    /// })?;
+    /// let system = &found.systems[0];
+    /// assert_eq!((system.a.len(), system.b[0].len(), system.c.len()), (2, 1, 1));
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn linearise(&self, question: &StateSpace) -> Result<Linearisation, Error> {
+        self.ask(question, &Control::default())
     }
 
     /// Runs the model with each model of a joint's clearance, and compares the results.

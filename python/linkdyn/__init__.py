@@ -26,6 +26,7 @@ from .errors import (
 )
 from .family import Family, Variants
 from .function import Function
+from .linear import LinearSystem
 from .model import Model, import_model, load, models
 from .run import Run
 from .simulation import Checkpoint, Simulation
@@ -40,6 +41,7 @@ __all__ = [
     "Function",
     "InternalError",
     "Interrupted",
+    "LinearSystem",
     "LinkdynError",
     "Mechanism",
     "Model",

@@ -9,7 +9,7 @@ from errno import ENOENT
 from functools import cached_property
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, overload
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from .equations import Equations
 from .errors import Interrupted, MissingFile, ModelError, SolveError, UnknownModel
 from .family import Family, processors
 from .function import Function
+from .linear import LinearSystem
 from .progress import Progress, told
 from .run import Run
 from .simulation import Simulation
@@ -341,6 +342,48 @@ class Model:
         :param pose: about the assembled position instead of the equilibrium.
         """
         return read(whole(_linkdyn.modes(self._core, pose)))
+
+    @overload
+    def linearise(
+        self,
+        inputs: str | Iterable[str] = (),
+        outputs: str | Iterable[str] = (),
+        at: float | None = None,
+        *,
+        pose: bool = False,
+    ) -> LinearSystem: ...
+
+    @overload
+    def linearise(
+        self, inputs: str | Iterable[str] = (), outputs: str | Iterable[str] = (), *, at: Iterable[float]
+    ) -> list[LinearSystem]: ...
+
+    def linearise(
+        self,
+        inputs: str | Iterable[str] = (),
+        outputs: str | Iterable[str] = (),
+        at: float | Iterable[float] | None = None,
+        *,
+        pose: bool = False,
+    ) -> LinearSystem | list[LinearSystem]:
+        """The mechanism as a linear system, as in ``state-space.json``.
+
+        :param inputs: ``driver.NAME`` (its torque or force, the driver being let go), ``driver.NAME.acceleration``,
+            ``force.NAME``, ``BODY.POINT.fx``, ``BODY.POINT.fy``, ``BODY.torque``; one may be given alone.
+        :param outputs: columns of results, or patterns of them; the positions of the states where none are given.
+        :param at: an instant of the motion of the model's analysis [s], or several, each with a system of its own; about the
+            equilibrium where there is none.
+        :param pose: about the assembled position instead of the equilibrium.
+        :raises SolveError: where the point has no linear equations.
+        """
+        is_one = at is None or isinstance(at, int | float | np.number)
+        times = [] if at is None else [float(at)] if isinstance(at, int | float | np.number) else [float(t) for t in at]
+        told = whole(_linkdyn.linearise(self._core, as_list(inputs), as_list(outputs), pose, times))
+        found = read(told)
+        if found["message"] is not None:
+            raise SolveError(found["message"])
+        systems = [LinearSystem(own) for own in found["systems"]]
+        return systems[0] if is_one else systems
 
     def accuracy(
         self, outputs: str | Iterable[str] = (), levels: str | None = None, *, threads: int | None = None

@@ -41,7 +41,8 @@ mod _linkdyn {
     use super::mechanism::Mechanism;
     #[pymodule_export]
     use super::questions::{
-        Variants, accuracy, allocate, bundled, check, compare, imported, modes, optimise, quantity,
+        Variants, accuracy, allocate, bundled, check, compare, imported, linearise, modes,
+        optimise, quantity,
     };
     #[pymodule_export]
     use super::run::{Column, Run};

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use linkdyn::ask::{
-    Accuracy, Allocate, Check, Compare, Levels, Method, Modes, Optimise, Study, Varied,
+    Accuracy, Allocate, Check, Compare, Levels, Method, Modes, Optimise, StateSpace, Study, Varied,
 };
 use linkdyn::{Control, Error, bridge};
 use pyo3::exceptions::PyValueError;
@@ -73,6 +73,30 @@ pub fn modes(py: Python<'_>, model: &Mechanism, pose: bool) -> PyResult<Stopped<
         let found = mechanism.ask(&Modes { pose }, control)?;
         let page = found.html().and_then(Result::ok);
         Ok((bridge::json(&found), bridge::words(found.text()), page))
+    })
+}
+
+/// The linear system about rest, or at instants of the motion.
+#[pyfunction]
+pub fn linearise(
+    py: Python<'_>,
+    model: &Mechanism,
+    inputs: Vec<String>,
+    outputs: Vec<String>,
+    pose: bool,
+    at: Vec<f64>,
+) -> PyResult<Stopped<Option<Told>>> {
+    let mechanism = model.own();
+    let question = StateSpace {
+        inputs,
+        outputs,
+        pose,
+        at,
+        frequencies: None,
+    };
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&question, control)?;
+        Ok((bridge::json(&found), bridge::words(found.text()), None))
     })
 }
 

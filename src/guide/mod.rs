@@ -40,6 +40,8 @@ pub mod editor {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/exchange.md")]
 pub mod exchange {}
+
+#[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/fmu.md")]
 pub mod fmu {}
 

@@ -79,6 +79,7 @@ mod similarity;
 mod simulation;
 mod singular;
 mod starts;
+mod state_space;
 mod states;
 mod statics;
 mod sticking;

@@ -20,6 +20,7 @@ pub mod near;
 pub mod optimise;
 pub mod run;
 pub mod shape;
+pub mod state_space;
 pub mod study;
 pub mod text;
 

@@ -16,6 +16,7 @@
 //! complementary linear complementarity problems
 //! lemke         the same of copositive matrices
 //! eigen         eigenvalues of small symmetric matrices, and of M x″ + C x′ + K x = 0
+//! state_space   eigenvalues, gains and frequency responses of linear systems
 //! hermite       osculating polynomials
 //! ```
 //!
@@ -35,6 +36,7 @@ pub mod pattern;
 pub mod rank;
 pub mod redundancy;
 pub mod small;
+pub mod state_space;
 mod triangle;
 
 #[cfg(test)]

@@ -196,6 +196,7 @@ const KNOW_THE_MODEL: &[&str] = &[
     "analysis/hand.rs",
     "analysis/hand/",
     "analysis/modes.rs",
+    "analysis/state_space/",
     // Named numbers, whose arithmetic is the model's.
     "analysis/responses/",
     "analysis/run.rs",

@@ -153,8 +153,12 @@ fn pulled(held: &LinearisedSystem) -> String {
 
 /// The name of a minimal coordinate.
 pub(super) fn coordinate(held: &LinearisedSystem, k: usize) -> String {
-    let system = held.driven.system;
-    let (body, axis) = system.layout.coordinate(held.driven.independent[k].column);
+    coordinate_name(held.driven.system, held.driven.independent[k].column)
+}
+
+/// The name of a coordinate, `crank.angle`.
+pub(super) fn coordinate_name(system: &System, column: usize) -> String {
+    let (body, axis) = system.layout.coordinate(column);
     let axis = match axis {
         Axis::X => "x",
         Axis::Y => "y",

@@ -13,6 +13,7 @@ use super::assembly::Assembled;
 use super::bent::straightened;
 use super::control::{Control, Stop};
 use super::equilibrium::{balance, start};
+use super::sample::ContactSample;
 use super::statics::{described, refuse, warning};
 use super::words::friction_left_out;
 use super::{ends, leaning};
@@ -98,6 +99,21 @@ pub fn modes(model: &Checked, pose: bool, control: &Control) -> Result<Linearise
 }
 
 fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearised, Stop> {
+    at_rest(system, pose, control, |assembled, held, balance, _| {
+        about(assembled, held, balance, pose)
+    })?
+}
+
+/// Calls `told` with the mechanism in its equilibrium or, with `pose`, where it is assembled, and with its contacts there.
+///
+/// # Errors
+/// As of statics.
+pub(super) fn at_rest<T>(
+    system: &System,
+    pose: bool,
+    control: &Control,
+    told: impl FnOnce(&Assembled, &mut LinearisedSystem, &Balance, &[ContactSample]) -> T,
+) -> Result<T, Stop> {
     refuse(system)?;
     let (assembled, mut held) = start(system, 0.0, pose)?;
     if !system.contacts.is_empty() {
@@ -106,27 +122,20 @@ fn linearise(system: &System, pose: bool, control: &Control) -> Result<Linearise
         ends::check_start(system, &assembled.q)?;
         if !pose {
             // Stops that press at rest are springs, or hold.
-            let rested = leaning::rest(
-                system,
-                (&assembled.q, 0.0),
-                control,
-                |assembled, held, balance, _| about(assembled, held, balance, pose),
-            );
-            return rested?;
+            return leaning::rest(system, (&assembled.q, 0.0), control, told);
         }
         if let Some(latched) = leaning::latched_system(system, &assembled.q) {
             let (assembled, mut held) = start(&latched, 0.0, pose)?;
             let balance = judge(&mut held);
-            return about(&assembled, &mut held, &balance, pose);
+            return Ok(told(&assembled, &mut held, &balance, &[]));
         }
     }
-    free(&held)?;
     let balance = if pose {
         judge(&mut held)
     } else {
         balance(&mut held, &assembled, control, None)?
     };
-    about(&assembled, &mut held, &balance, pose)
+    Ok(told(&assembled, &mut held, &balance, &[]))
 }
 
 /// Refuses a mechanism in which nothing is free to move.

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::element::{BodyId, Kinematics, Marker};
 use crate::system::{BodyPart, Evaluation, Inputs, System};
 use linkdyn_linear::math::Vec2;
-use linkdyn_output::{BodyQuantity, Channel, Column, StateQuantity};
+use linkdyn_output::{BodyQuantity, Channel, Column, DriverQuantity, StateQuantity};
 
 /// Where the columns of a table stand.
 pub struct Columns(HashMap<Channel, usize>);
@@ -166,6 +166,8 @@ pub struct Replay<'s> {
     states: States,
     /// Columns of integrated states, where the table has them.
     integrated: Vec<Option<usize>>,
+    /// Columns of the drivers' values, likewise.
+    driven: Vec<Option<usize>>,
     evaluation: Evaluation,
     inputs: Inputs,
     /// Coordinates (n).
@@ -184,6 +186,9 @@ impl<'s> Replay<'s> {
             integrated: (0..system.states.len())
                 .map(|state| columns.find(Channel::State(state, StateQuantity::Value)))
                 .collect(),
+            driven: (0..system.drivers.len())
+                .map(|driver| columns.find(Channel::Driver(driver, DriverQuantity::Value)))
+                .collect(),
             evaluation: Evaluation::new(system),
             inputs: Inputs::still(system),
             q: zero.clone(),
@@ -194,6 +199,10 @@ impl<'s> Replay<'s> {
     /// Takes the state of a row.
     pub fn take(&mut self, row: &[f64]) {
         self.inputs.set_time(self.system, row[0]);
+        let drive = self.inputs.drive.iter_mut().zip(&self.driven);
+        for (jet, column) in drive {
+            column.iter().for_each(|column| jet[0] = row[*column]);
+        }
         let own = &mut self.inputs.states[self.system.inputs.len()..];
         let states = own.iter_mut().zip(&self.integrated);
         for (state, column) in states {

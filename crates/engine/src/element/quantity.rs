@@ -105,6 +105,13 @@ impl Measured {
         }
     }
 
+    /// ∂s/∂q by body: the generalized force of a force of size 1 that lengthens it.
+    pub(crate) fn gradient(&self, at: &Kinematics) -> [(BodyId, [f64; 3]); 2] {
+        let [x1, y1, theta1, x2, y2, theta2] = self.slopes(at)[0];
+        let [first, second] = self.bodies();
+        [(first, [x1, y1, theta1]), (second, [x2, y2, theta2])]
+    }
+
     /// ∂s/∂q and ∂ṡ/∂q.
     pub(super) fn slopes(&self, at: &Kinematics) -> [[f64; BOTH]; 2] {
         let mut of_value = [0.0; BOTH];

@@ -7,6 +7,8 @@
 //! driven            positions, velocities, accelerations, multipliers at one instant
 //! dependent_forces  forces that depend on multipliers, which depend on them: friction
 //! reduced           equations of motion in minimal coordinates
+//! released          one instant with drivers let go: what it does under given states and inputs
+//! ridders           derivatives of what can only be evaluated
 //! parts             parts with one degree of freedom of a mechanism with more, across their change points
 //! independent       which coordinates determine the rest well
 //! phases            systems by the rows in force
@@ -30,3 +32,5 @@ pub(crate) mod linearised_system;
 pub(crate) mod parts;
 pub(crate) mod phases;
 pub mod reduced;
+pub(crate) mod released;
+pub(crate) mod ridders;

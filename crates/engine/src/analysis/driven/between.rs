@@ -45,6 +45,12 @@ impl<'s> Between<'s> {
         })
     }
 
+    /// Position and velocity (n) at a time with what is prescribed there, where it is known.
+    pub fn point(&mut self, time: f64) -> Option<(&[f64], &[f64], &Inputs)> {
+        self.solve(time)?;
+        Some((&self.sample.q, &self.sample.v, &self.inputs))
+    }
+
     fn solve(&mut self, time: f64) -> Option<()> {
         let system = self.driven.system;
         self.inputs.set_time(system, time);

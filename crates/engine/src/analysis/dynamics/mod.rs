@@ -44,7 +44,8 @@ mod words;
 
 use super::control::{Control, Stop};
 use super::words::unsure_friction;
-use crate::system::System;
+use crate::element::pair::Hold;
+use crate::system::{Inputs, System};
 use linkdyn_output::{Report, Trajectory};
 use outputs::Outputs;
 use scene::Scene;
@@ -97,4 +98,61 @@ pub fn run(
     report.statistics.newton_iterations += scene.assembled.iterations;
     report.solve = scene.watch.read();
     Ok((trajectory, peaks, report))
+}
+
+/// A point of a motion, with what holds there.
+pub struct Visited<'v> {
+    /// The mechanism with the rows in force.
+    pub system: &'v System,
+    /// Columns of its independent coordinates.
+    pub columns: Vec<usize>,
+    /// Coordinates and their rates (n).
+    pub q: &'v [f64],
+    pub v: &'v [f64],
+    /// What is prescribed, and what contacts and states are.
+    pub inputs: Inputs,
+    /// How contacts are held.
+    pub holds: Vec<Hold>,
+    /// \[s\]
+    pub time: f64,
+}
+
+/// Goes along a motion and calls `told` at instants that come one after the other; what `told` cannot do ends it.
+///
+/// # Errors
+/// Faults of the input, a start that is impossible, and where the motion can't go on.
+pub fn visit<E>(
+    system: &System,
+    start: Start,
+    settings: &Settings,
+    times: &[f64],
+    control: &Control,
+    told: &mut dyn FnMut(Visited) -> Result<(), E>,
+) -> Result<Result<(), E>, Stop> {
+    let scene = Scene::new(Cow::Borrowed(system), start)?;
+    let end = settings.instants.last().copied().unwrap_or(0.0);
+    let mut simulation = scene.begin(settings, end)?;
+    for &time in times {
+        simulation.reach(time, control)?;
+        if let Err(fault) = simulation.output(time) {
+            return Err(simulation.ended_at(fault, time).into());
+        }
+        let flow = &mut simulation.flow;
+        let holds = flow.holds();
+        let system = flow.equations.own_system();
+        let equations = &flow.equations;
+        let visited = Visited {
+            system,
+            columns: equations.independent_columns().collect(),
+            q: equations.position(),
+            v: equations.velocity(),
+            inputs: equations.inputs.clone(),
+            holds,
+            time,
+        };
+        if let Err(failed) = told(visited) {
+            return Ok(Err(failed));
+        }
+    }
+    Ok(Ok(()))
 }
