@@ -93,6 +93,7 @@ pub mod ask {
     pub use linkdyn_ask::compare::{Compare, Compared};
     pub use linkdyn_ask::modes::{Modes, SmallMotions};
     pub use linkdyn_ask::optimise::{Optimise, Optimised};
+    pub use linkdyn_ask::path_time::{FastestMotion, PathTime};
     pub use linkdyn_ask::state_space::{FrequencyResponse, Linearisation, StateSpace};
     pub use linkdyn_ask::study::{Studied, Study, Varied};
     pub use linkdyn_engine::analysis::Check as Findings;

@@ -42,7 +42,7 @@ mod _linkdyn {
     #[pymodule_export]
     use super::questions::{
         Variants, accuracy, allocate, bundled, check, compare, imported, linearise, modes,
-        optimise, quantity,
+        optimise, path_time, quantity,
     };
     #[pymodule_export]
     use super::run::{Column, Run};
