@@ -9,7 +9,11 @@ const COMMANDS: [&str; 19] = [
     "run",
     "check",
     "edit",
+<<<<<<< HEAD
     "export",
+=======
+    "import",
+>>>>>>> linkages
     "compare",
     "modes",
     "study",

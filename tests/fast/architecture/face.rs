@@ -176,6 +176,7 @@ fn face() -> Face {
             ("linkdyn", &of("src")),
             ("linkdyn_ask", &of("crates/ask/src")),
             ("linkdyn_engine", &of("crates/engine/src")),
+            ("linkdyn_exchange", &of("crates/exchange/src")),
             ("linkdyn_linear", &of("crates/linear/src")),
             ("linkdyn_model", &of("crates/model/src")),
             ("linkdyn_output", &of("crates/output/src")),

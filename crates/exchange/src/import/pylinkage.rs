@@ -88,10 +88,10 @@ struct Linkage {
     nodes: IndexMap<String, At>,
     /// Whether a node is fixed.
     is_fixed: Vec<bool>,
-    links: Vec<Link>,
+    links: Vec<Rod>,
     /// The links of each node.
     links_of: Vec<Vec<usize>>,
-    slides: Vec<Slide>,
+    slides: Vec<Guide>,
     /// The link that turns, and how far in a step \[rad\].
     motors: Vec<(usize, f64)>,
     /// Steps until an arc ends.
@@ -100,13 +100,13 @@ struct Linkage {
 }
 
 /// A rigid link: its name, and its nodes with their places in it.
-struct Link {
+struct Rod {
     name: String,
     nodes: Vec<(usize, At)>,
 }
 
 /// A node that slides on a line.
-struct Slide {
+struct Guide {
     node: usize,
     line: Line,
 }
@@ -145,7 +145,7 @@ impl Linkage {
         for (node, _) in &nodes {
             self.links_of[*node].push(self.links.len());
         }
-        self.links.push(Link { name, nodes });
+        self.links.push(Rod { name, nodes });
         self.links.len() - 1
     }
 
@@ -252,7 +252,7 @@ impl Linkage {
                 let from = self.nodes[a];
                 let link = self.link(None, vec![(a, from), (node, at)]);
                 let line = Line::Of(link, [a, b]);
-                self.slides.push(Slide { node: b, line });
+                self.slides.push(Guide { node: b, line });
             }
         }
     }
@@ -266,7 +266,7 @@ impl Linkage {
         let link = self.common(a, b).unwrap_or_else(|| {
             let link = self.link(None, vec![(a, from)]);
             let line = Line::Of(link, [a, b]);
-            self.slides.push(Slide { node: b, line });
+            self.slides.push(Guide { node: b, line });
             link
         });
         Line::Of(link, [a, b])
@@ -581,7 +581,7 @@ fn dyad(
         "Prismatic" | "Linear" => {
             linkage.bar(parent(0)?, node, record.needed("revolute_radius")?);
             let line = linkage.line([parent(1)?, parent(2)?]);
-            linkage.slides.push(Slide { node, line });
+            linkage.slides.push(Guide { node, line });
         }
         other => {
             let cause = format!("{other:?} is no kind of joint");
@@ -658,7 +658,7 @@ fn mechanism(linkage: &mut Linkage, file: &Map<String, Value>) -> Result<(), Ref
             let axis = joint.pair("axis")?.unwrap_or([1.0, 0.0]);
             let through = joint.pair("line_point")?.unwrap_or([0.0, 0.0]);
             let line = Line::Fixed(through, axis);
-            linkage.slides.push(Slide { node, line });
+            linkage.slides.push(Guide { node, line });
         }
     }
     let find = |linkage: &Linkage, record: &Record<'_>, name: &str| {

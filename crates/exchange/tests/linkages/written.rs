@@ -86,7 +86,7 @@ fn what_a_link_has_and_a_model_lacks_is_listed() {
     // A second input of one linkage, and an input of three bodies.
     let two = link("frame-as-a-bar").replace(".4D,", ".6D,");
     let (body, _) = two.split_once('*').expect("a digest");
-    let second = done(&body, Format::Pmks);
+    let second = done(body, Format::Pmks);
     assert_eq!(
         lacks(&second)[2],
         "joint D: a second input of one linkage: the first drives it"

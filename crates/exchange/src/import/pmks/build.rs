@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::super::Imported;
 use super::super::pins::{self, At};
-use super::drawing::{Drawing, Index, Joint, Link, Load, Slide, Units};
+use super::drawing::{Bar, Drawing, Index, Load, Pin, Slot, Units};
 use crate::draft::{Draft, Entry, number, numbers};
 use crate::source::{LeftOut, Refused};
 
@@ -131,7 +131,7 @@ impl Build<'_> {
 
     /// A body for each whole link that moves, with its points; a link with two pins on the ground is part of it.
     fn links(&mut self) {
-        let is_frame = |link: &Link| {
+        let is_frame = |link: &Bar| {
             let mut fixed = link.joints.iter().filter_map(|id| {
                 let joint = &self.drawing.joints[self.index.joints[id]];
                 (joint.is_ground && joint.slide.is_none()).then_some(joint.at)
@@ -183,12 +183,12 @@ impl Build<'_> {
     }
 
     /// The link that has the slot of a joint.
-    fn carrier(&self, joint: &Joint) -> Option<usize> {
+    fn carrier(&self, joint: &Pin) -> Option<usize> {
         let [link, ..] = joint.slide.as_ref()?.on.as_ref()?;
         Some(self.index.whole(link))
     }
 
-    fn meets(&self, joint: &Joint) -> Meets {
+    fn meets(&self, joint: &Pin) -> Meets {
         let whole = self.drawing.links.iter().enumerate();
         let links = whole
             .filter(|(at, link)| self.bodies[*at].is_some() && link.joints.contains(&joint.id));
@@ -240,7 +240,7 @@ impl Build<'_> {
     }
 
     /// The velocity of an input, with its sign: against the clock is positive, and so is outward.
-    fn velocity(&self, joint: &Joint, usual: f64) -> f64 {
+    fn velocity(&self, joint: &Pin, usual: f64) -> f64 {
         let signed = if self.drawing.is_clockwise {
             -usual
         } else {
@@ -250,7 +250,7 @@ impl Build<'_> {
     }
 
     /// A pin; how long its motor takes for a turn, if it has one.
-    fn pin(&mut self, joint: &Joint, meets: &Meets, drives: bool) -> Option<f64> {
+    fn pin(&mut self, joint: &Pin, meets: &Meets, drives: bool) -> Option<f64> {
         pins::pin(&mut self.draft, &joint.name, &meets.bodies, joint.at);
         if !drives {
             return None;
@@ -282,7 +282,7 @@ impl Build<'_> {
     }
 
     /// A slide; how long its ram takes to the end of its slot, if it has one.
-    fn slide(&mut self, joint: &Joint, slide: &Slide, meets: &Meets, drives: bool) -> Option<f64> {
+    fn slide(&mut self, joint: &Pin, slide: &Slot, meets: &Meets, drives: bool) -> Option<f64> {
         let place = format!("joint {}", joint.name);
         let carrier = self
             .carrier(joint)
@@ -357,7 +357,7 @@ impl Build<'_> {
     }
 
     /// A block on a slide.
-    fn block(&mut self, joint: &Joint, slide: &Slide) -> String {
+    fn block(&mut self, joint: &Pin, slide: &Slot) -> String {
         let more = Entry::from_iter([
             ("mass".to_owned(), number(slide.mass)),
             ("inertia".to_owned(), number(0.0)),
@@ -367,7 +367,7 @@ impl Build<'_> {
     }
 
     /// The axis of a slide, and how far it is to both ends of its slot.
-    fn axis(&mut self, joint: &Joint, slide: &Slide) -> (Value, Option<[f64; 2]>) {
+    fn axis(&mut self, joint: &Pin, slide: &Slot) -> (Value, Option<[f64; 2]>) {
         let Some([link, a, b]) = &slide.on else {
             if slide.angle == 0.0 {
                 return (json!([1, 0]), None);
@@ -381,17 +381,21 @@ impl Build<'_> {
         let [from, to] = [a, b].map(|id| self.drawing.joints[self.index.joints[id]].at);
         let (along, back) = (less(to, from), less(joint.at, from));
         let length = along[0].hypot(along[1]);
-        let off = (along[0] * back[1] - along[1] * back[0]) / length;
-        if !(off.abs() <= ROUNDING) {
-            let unit = self.drawing.units.length();
-            let what = format!(
-                "it stands {:.3} {unit} beside the line of {link} through {a} and {b}; its slot goes through it",
-                off.abs()
-            );
-            self.lacks(format!("joint {}", joint.name), what);
-        }
+        let place = format!("joint {}", joint.name);
         if length == 0.0 {
+            self.lacks(
+                place,
+                format!("the direction of its slot: {a} and {b} are at one place"),
+            );
             return (json!([1, 0]), None);
+        }
+        let off = ((along[0] * back[1] - along[1] * back[0]) / length).abs();
+        if off > ROUNDING {
+            let unit = self.drawing.units.length();
+            self.lacks(
+                place,
+                format!("it stands {off:.3} {unit} beside the line of {link} through {a} and {b}: its slot goes through it"),
+            );
         }
         let way = (along[0] * back[0] + along[1] * back[1]) / length;
         (numbers(along), Some([way, length - way]))

@@ -29,7 +29,7 @@ impl Units {
 
 /// A pin or a slide.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Joint {
+pub struct Pin {
     pub id: String,
     pub name: String,
     pub at: At,
@@ -39,12 +39,12 @@ pub struct Joint {
     pub is_traced: bool,
     /// Its own velocity, in rpm or units of length per second; without one that of the drawing.
     pub speed: Option<f64>,
-    pub slide: Option<Slide>,
+    pub slide: Option<Slot>,
 }
 
 /// What a joint slides on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Slide {
+pub struct Slot {
     /// The direction of a guide on the ground \[rad\].
     pub angle: f64,
     /// Whether what slides may turn.
@@ -57,7 +57,7 @@ pub struct Slide {
 
 /// A rigid link.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Link {
+pub struct Bar {
     pub id: String,
     pub name: String,
     pub mass: f64,
@@ -93,8 +93,8 @@ pub struct Drawing {
     pub speed: f64,
     /// Of rams, in units of length per second.
     pub linear_speed: f64,
-    pub joints: Vec<Joint>,
-    pub links: Vec<Link>,
+    pub joints: Vec<Pin>,
+    pub links: Vec<Bar>,
     pub loads: Vec<Load>,
     pub left_out: Vec<LeftOut>,
 }

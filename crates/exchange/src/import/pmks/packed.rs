@@ -9,7 +9,7 @@
 use std::collections::HashMap;
 
 use super::super::pins::At;
-use super::drawing::{Drawing, Joint, Link, Load, Slide, USUAL_LINEAR_SPEED, Units};
+use super::drawing::{Bar, Drawing, Load, Pin, Slot, USUAL_LINEAR_SPEED, Units};
 use crate::source::{LeftOut, MOST_PARTS, Refused};
 
 const DIGITS: &str = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
@@ -242,7 +242,7 @@ fn fields<'t>(
     Ok((flags, fields))
 }
 
-fn joint(record: &str, place: &str) -> Result<Joint, Refused> {
+fn joint(record: &str, place: &str) -> Result<Pin, Refused> {
     let (flags, fields) = fields(record, 1, 5, place)?;
     let flags = digits(flags, place)? as u32;
     let has = |bit: u32| flags & 1 << bit != 0;
@@ -261,7 +261,7 @@ fn joint(record: &str, place: &str) -> Result<Joint, Refused> {
         ));
     }
     let speed = decimal_or(8)?;
-    Ok(Joint {
+    Ok(Pin {
         id: fields[0].to_owned(),
         name: fields[1].to_owned(),
         at: [decimal(fields[2], place)?, decimal(fields[3], place)?],
@@ -271,8 +271,8 @@ fn joint(record: &str, place: &str) -> Result<Joint, Refused> {
         is_traced: has(4),
         speed: Some(speed).filter(|speed| *speed != 0.0),
         slide: has(0)
-            .then(|| -> Result<Slide, Refused> {
-                Ok(Slide {
+            .then(|| -> Result<Slot, Refused> {
+                Ok(Slot {
                     angle: decimal(fields[4], place)?,
                     turns: !has(3),
                     mass: decimal_or(9)?,
@@ -284,7 +284,7 @@ fn joint(record: &str, place: &str) -> Result<Joint, Refused> {
 }
 
 /// A link, and whether it is the block of a slide.
-fn link(record: &str, place: &str) -> Result<(Link, bool), Refused> {
+fn link(record: &str, place: &str) -> Result<(Bar, bool), Refused> {
     let (flags, fields) = fields(record, 2, 8, place)?;
     // Who is whole, part of another, has its own inertia or that of its outline, is drawn as a disc.
     let is_root = match flags.as_bytes() {
@@ -304,7 +304,7 @@ fn link(record: &str, place: &str) -> Result<(Link, bool), Refused> {
         let names = lists.next().unwrap_or_default();
         names.iter().map(|name| (*name).to_owned()).collect()
     };
-    let link = Link {
+    let link = Bar {
         id: fields[0].to_owned(),
         name: fields[1].to_owned(),
         mass: decimal(fields[2], place)?,
@@ -428,7 +428,7 @@ fn by_name<'t>(names: impl Iterator<Item = &'t String>) -> HashMap<String, usize
 }
 
 /// Makes one joint of each pin, the sliding joint at its place and the block between both; it has the name of the pin.
-fn fold(drawing: &mut Drawing, blocks: &[Link]) -> Result<(), Refused> {
+fn fold(drawing: &mut Drawing, blocks: &[Bar]) -> Result<(), Refused> {
     let joints = by_name(drawing.joints.iter().map(|joint| &joint.id));
     let mut folded = HashMap::new();
     for block in blocks {
@@ -458,7 +458,7 @@ fn fold(drawing: &mut Drawing, blocks: &[Link]) -> Result<(), Refused> {
                 "move the block onto its pin in PMKS+",
             ));
         }
-        pin.slide = slider.slide.map(|slide| Slide {
+        pin.slide = slider.slide.map(|slide| Slot {
             turns: !pin.is_welded,
             mass: block.mass,
             ..slide

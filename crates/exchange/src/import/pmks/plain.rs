@@ -5,7 +5,7 @@
 //! end, whether it is fixed to the ground, whether it points outward, and its magnitude. `s` is the speed, whether it is clockwise,
 //! whether there is gravity, and the unit of length.
 
-use super::drawing::{Drawing, Joint, Link, Load, Slide, USUAL_LINEAR_SPEED, Units};
+use super::drawing::{Bar, Drawing, Load, Pin, Slot, USUAL_LINEAR_SPEED, Units};
 use crate::source::{LeftOut, Refused};
 
 const MEND: &str = "the link is damaged: copy it again";
@@ -52,7 +52,7 @@ pub(super) fn read(link: &str) -> Result<Drawing, Refused> {
         let place = format!("joint {}", k + 1);
         let slide = match at(record, 4) {
             "R" => None,
-            "P" => Some(Slide {
+            "P" => Some(Slot {
                 angle: number(record, 6, &place)?,
                 turns: true,
                 mass: 0.0,
@@ -64,7 +64,7 @@ pub(super) fn read(link: &str) -> Result<Drawing, Refused> {
             }
         };
         friction |= slide.is_some();
-        drawing.joints.push(Joint {
+        drawing.joints.push(Pin {
             id: at(record, 0).to_owned(),
             name: at(record, 0).to_owned(),
             at: [number(record, 1, &place)?, number(record, 2, &place)?],
@@ -85,7 +85,7 @@ pub(super) fn read(link: &str) -> Result<Drawing, Refused> {
             })
         };
         let joints = at(record, 5).split('|').filter(|name| !name.is_empty());
-        drawing.links.push(Link {
+        drawing.links.push(Bar {
             id: at(record, 0).to_owned(),
             name: at(record, 0).to_owned(),
             mass: positive(1)?,
