@@ -9,11 +9,8 @@ const COMMANDS: [&str; 19] = [
     "run",
     "check",
     "edit",
-<<<<<<< HEAD
     "export",
-=======
     "import",
->>>>>>> linkages
     "compare",
     "modes",
     "study",

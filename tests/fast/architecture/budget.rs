@@ -46,7 +46,6 @@ const PARTS: &[Part] = &[
     part("output", &["crates/output/src"], "rs", 2_180),
     part("picture", &["crates/picture/src"], "rs", 9_565),
     part("pages", &["crates/picture/src"], "js", 4_690),
-<<<<<<< HEAD
     part("library", &["src"], "rs", 6_015),
     part("of it the command", &["src/cli"], "rs", 4_520),
     part("web", &["crates/web/src", "web/bind/src"], "rs", 440),
@@ -55,16 +54,6 @@ const PARTS: &[Part] = &[
     part("python", &["python/src"], "rs", 1_365),
     part("python package", &["python/linkdyn"], "py", 2_215),
     part("tests", &["tests"], "rs", 48_815),
-=======
-    part("library", &["src"], "rs", 5_970),
-    part("of it the command", &["src/cli"], "rs", 4_439),
-    part("web", &["crates/web/src", "web/bind/src"], "rs", 445),
-    part("editor", &["web/src"], "ts", 2_170),
-    part("validation", &["validation/src"], "rs", 8_580),
-    part("python", &["python/src"], "rs", 1_358),
-    part("python package", &["python/linkdyn"], "py", 2_054),
-    part("tests", &["tests"], "rs", 48_630),
->>>>>>> linkages
 ];
 
 /// Whether a file or folder holds tests only, or what others wrote.
