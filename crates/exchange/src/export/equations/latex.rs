@@ -232,13 +232,13 @@ impl Equations {
                             let mut waves = Waves::default();
                             waves.add_product(1.0, &direction, &slope(place, i));
                             let terms = self.terms(&waves).into_iter();
-                            own.extend(
-                                terms.map(|(sign, term)| let all = match term.as_str() {
+                            own.extend(terms.map(|(sign, term)| {
+                                let all = match term.as_str() {
                                     "1" => force.clone(),
                                     term => format!("{force}\\,{term}"),
                                 };
-                                (sign, all)),
-                            );
+                                (sign, all)
+                            }));
                         }
                     }
                 }
