@@ -27,6 +27,7 @@ fmu         mechanisms in programs that know FMI: inputs, outputs, states
 models      the bundled models, with a picture of each
 commands    what each command does, exit statuses, figures
 format      reference of model files
+coming-from the words of other programs, and how they are said here
 exchange    mechanisms of other programs, read by linkdyn import
 results     reference of columns, summary, events, the report
 messages    what a message means and what to do
@@ -51,6 +52,7 @@ fn text(page: &str) -> Option<&'static str> {
         "models" => include_str!("../../docs/models.md"),
         "commands" => include_str!("../../docs/commands.md"),
         "format" => include_str!("../../docs/format.md"),
+        "coming-from" => include_str!("../../docs/coming-from.md"),
         "exchange" => include_str!("../../docs/exchange.md"),
         "results" => include_str!("../../docs/results.md"),
         "messages" => include_str!("../../docs/messages.md"),

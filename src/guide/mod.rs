@@ -13,6 +13,7 @@
 //! | [`cluster`]     | studies on many machines, and what it costs                   |
 //! | [`fmu`]         | mechanisms in programs that know FMI                          |
 //! | [`editor`]      | a mechanism that moves while you draw it, in a browser        |
+//! | [`coming_from`] | the words of other programs, and how they are said here       |
 //! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
 //! | [`exchange`]    | mechanisms of other programs, read by `linkdyn import`        |
@@ -29,6 +30,10 @@ pub mod accuracy {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/cluster.md")]
 pub mod cluster {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/coming-from.md")]
+pub mod coming_from {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/commands.md")]

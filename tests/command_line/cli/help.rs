@@ -2,7 +2,7 @@
 
 use super::*;
 
-const COMMANDS: [&str; 19] = [
+const COMMANDS: [&str; 21] = [
     "accuracy",
     "allocate",
     "new",
@@ -15,6 +15,7 @@ const COMMANDS: [&str; 19] = [
     "modes",
     "study",
     "optimise",
+    "path-time",
     "plot",
     "animate",
     "validate",
