@@ -112,9 +112,7 @@ class LinearSystem:
         import control
 
         # Dots divide the names of systems and signals there.
-        names = {
-            part: [name.replace(".", "_") for name in getattr(self, part)] for part in ("states", "inputs", "outputs")
-        }
+        names = {part: [name.replace(".", "_") for name in getattr(self, part)] for part in ("states", "inputs", "outputs")}
         return control.ss(self.A, self.B, self.C, self.D, **names)
 
     def _omega(self, omega: ArrayLike | None) -> Array:
@@ -137,7 +135,8 @@ class LinearSystem:
 
         omega = self._omega(omega)
         response = self.frequency_response(omega)
-        figure, axes = pyplot.subplots(2, max(1, len(self.outputs)), sharex=True, squeeze=False, layout="constrained")
+        figure: Figure = pyplot.figure(layout="constrained")
+        axes = figure.subplots(2, max(1, len(self.outputs)), sharex=True, squeeze=False)
         for row, output in enumerate(self.outputs):
             for column, name in enumerate(self.inputs):
                 own = response[:, row, column]

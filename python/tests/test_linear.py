@@ -85,7 +85,7 @@ def test_figures() -> None:
     figure = system.bode()
     assert [len(ax.lines) for ax in figure.axes] == [2, 2, 2, 2]
     drawn = system.nyquist([1.0, 2.0])
-    assert [line.get_label() for line in drawn.lines][0] == "mass.x by mass.P.fx"
+    assert drawn.lines[0].get_label() == "mass.x by mass.P.fx"
 
 
 def test_what_is_not_there_is_told() -> None:

@@ -250,10 +250,13 @@ fn outputs_of_a_point_are_those_of_the_run() {
             Err(NoLinearSystem::Model(_)) => continue,
             Err(why) => panic!("{}: {why:?}", bundled.name),
         };
-        // Measured by the largest value of its unit, so that what is round-off of zero counts as such.
+        // Measured by the largest value of its unit in the run, or a thousandth in SI: what is round-off of zero counts as such.
         let largest = |unit: &str| {
-            let all = found.outputs.iter().filter(|own| own.unit == unit);
-            all.fold(1e-300, |most: f64, own| most.max(own.value.abs()))
+            let columns = run.trajectory.columns.iter();
+            let names = columns.filter(|column| column.unit == unit);
+            let all = names.filter_map(|column| run.trajectory.values(&column.name));
+            all.flatten()
+                .fold(1e-3, |most: f64, own| most.max(own.abs()))
         };
         for output in &found.outputs {
             let Some(all) = run.trajectory.values(&output.name) else {
