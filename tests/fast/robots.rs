@@ -140,7 +140,7 @@ fn a_five_bar_of_urdf_moves_by_its_closed_form() {
 fn a_six_bar_of_sdf_moves_by_its_closed_form() {
     let found = run(
         read(Format::Sdf, SIX_BAR),
-        &["coupler.C", "output.F"],
+        &["coupler.C", "link.F"],
         &[("crank", -0.5)],
         motion(2.0),
     );
@@ -153,7 +153,7 @@ fn a_six_bar_of_sdf_moves_by_its_closed_form() {
     let c = |time: f64| meeting(crank(-0.5 * time), d, [0.33, length(c0, d)], sides[0]);
     path(&found, "coupler.C", c);
     let lengths = [length(e0, f0), length(g, f0)];
-    path(&found, "output.F", |time| {
+    path(&found, "link.F", |time| {
         let angle = |c: Vec2| (c[1] - d[1]).atan2(c[0] - d[0]);
         let e = plus(d, turn(minus(e0, d), angle(c(time)) - angle(c0)));
         meeting(e, g, lengths, sides[1])

@@ -218,6 +218,12 @@ impl SdfReader {
                 self.link(*link, body, &at)?;
             }
         }
+        for frame in model.children().filter(|node| node.has_tag_name("frame")) {
+            let name = frame.attribute("name").unwrap_or_default();
+            let (body, at) = frames[name];
+            let at = Point3::from(at.translation.vector);
+            self.scene.bodies[body].sites.push((name.to_owned(), at));
+        }
         let held = self.scene.holds.len();
         for joint in model.children().filter(|node| node.has_tag_name("joint")) {
             let name = joint.attribute("name").unwrap_or_default();
@@ -583,6 +589,10 @@ pub(super) fn joint(
             axis: Some(direction),
         },
     };
+    if text(axis, "initial_position").is_some_and(|angle| angle.parse() != Ok(0.0)) {
+        let what = "initial_position: joints start at zero, where the poses put the links";
+        remarks.at(lines, axis, what);
+    }
     let mimic = child(axis, "mimic");
     let mimic = mimic.map(|mimic| {
         let leader = lines.needed(mimic, "joint")?;

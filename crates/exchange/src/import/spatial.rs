@@ -510,6 +510,7 @@ impl Writer<'_> {
         let (mut between, mut sign) = ([first, second], 1.0);
         match &hold.kind {
             HoldKind::Turn { at, axis } => {
+                self.gap(hold, at);
                 let points = self.ends(&name, between, at);
                 sign = axis.map_or(1.0, |axis| self.plane.sign(&axis));
                 joint(&mut entry, "revolute", &points);
@@ -549,6 +550,7 @@ impl Writer<'_> {
                 }
             }
             HoldKind::Weld { at, turn } => {
+                self.gap(hold, at);
                 let points = self.ends(&name, between, at);
                 joint(&mut entry, "fixed", &points);
                 let turn = turn.scaled_axis();
@@ -577,6 +579,17 @@ impl Writer<'_> {
         };
         self.draft.joints.insert(name, Value::Object(entry));
         Some(Written { points, sign })
+    }
+
+    /// Says where a loop is open as drawn.
+    fn gap(&mut self, hold: &Hold, at: &[Point3<f64>; 2]) {
+        let [[ax, ay], [bx, by]] = at.map(|end| self.plane.point(&end));
+        let gap = (bx - ax).hypot(by - ay);
+        if gap > PARALLEL * self.size {
+            let gap = number(rounded(gap, 6));
+            let what = format!("its points are {gap} m apart: the assembly brings them together");
+            self.remarks.about(&hold.place, what);
+        }
     }
 
     fn ends(&mut self, name: &str, between: [usize; 2], at: &[Point3<f64>; 2]) -> [String; 2] {

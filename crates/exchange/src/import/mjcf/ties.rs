@@ -134,10 +134,9 @@ impl<'a, 'i> MjcfReader<'a, 'i> {
     }
 
     pub(super) fn tendon(&mut self, node: Node<'a, 'i>, poses: &Poses) -> Result<(), Refused> {
-        let levels = self.levels(node, "main");
+        let mut levels = self.levels(node, "main");
         // Defaults of tendons are called so, whatever they are.
         let class = node.attribute("class").unwrap_or("main");
-        let mut levels = levels;
         levels.extend(self.defaults.get(&(class, "tendon")).into_iter().flatten());
         let (stiffness, damping) = (
             self.linear(&levels, "stiffness")?,
@@ -176,10 +175,11 @@ impl<'a, 'i> MjcfReader<'a, 'i> {
             }
         };
         let is_cable = least == 0.0 && most > 0.0;
-        if (least != most && !is_cable)
-            || (sites.len() > 2 && !is_cable)
-            || (is_cable && stiffness == 0.0)
-        {
+        let is_known = match is_cable {
+            true => stiffness > 0.0,
+            false => least == most && sites.len() == 2,
+        };
+        if !is_known {
             let what =
                 "a tendon: a spring has two sites and one length, a cable a springlength from 0";
             self.remarks.at(&self.lines, node, what);
