@@ -1,5 +1,7 @@
 //! Sketches as people draw them, files that are none, and files that were damaged.
 
+use std::collections::BTreeMap;
+
 use crate::export::{Layer, Sheet, around, dxf, svg};
 use crate::{Form, Format, Imported, Options, Refused, import};
 
@@ -97,8 +99,17 @@ fn renamed(names: [(&str, &str); 3]) -> String {
     told
 }
 
+/// Lines, and the points of each body, by their names.
 fn sorted(text: &str) -> Vec<String> {
-    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let by_name = |line: &str| match line.split_once(" {") {
+        None => line.to_owned(),
+        Some((body, points)) => {
+            let points = serde_json::from_str(&format!("{{{points}"));
+            let points: BTreeMap<String, [f64; 2]> = points.expect("points");
+            format!("{body} {points:?}")
+        }
+    };
+    let mut lines: Vec<String> = text.lines().map(by_name).collect();
     lines.sort();
     lines
 }

@@ -135,8 +135,8 @@ pub fn export(
     }
     let mut page = Page::default();
     for (path, sheet) in sheets {
-        let written = write_file(&path, kind.text(&sheet).as_bytes())?;
-        page.line(said(&written, &sheet, &plates));
+        write_file(&path, kind.text(&sheet).as_bytes())?;
+        page.line(said(&path, &sheet, &plates));
     }
     print(page.text())?;
     Ok(Exit::Done)

@@ -1,6 +1,6 @@
 //! Drawings to scale: what is written, and what is refused.
 
-use super::{Scratch, done, refused};
+use super::{Scratch, done, linkdyn, refused};
 use std::fs;
 
 #[test]
@@ -13,7 +13,13 @@ fn a_pose_a_link_and_all_links_are_drawn() {
         "{said}"
     );
     let model = scratch.path("again.json");
-    done(&["import", &scratch.write("a.svg", SKETCH), "-o", &model]);
+    let read = linkdyn(&["import", &scratch.write("a.svg", SKETCH), "-o", &model]);
+    let said = "left out: drivers: the mobility by counting is 2, and one link is driven: linkdyn check tells what is missing or too much\n";
+    assert_eq!(
+        (read.status, read.stderr.as_str()),
+        (Some(0), said),
+        "{read:?}"
+    );
     let folder = scratch.path("plates");
     done(&[
         "export",
