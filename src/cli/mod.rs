@@ -120,7 +120,7 @@ enum Command {
     Plot(Box<plot::Options>),
     /// Draw the mechanism in motion, as a film or as poses
     Animate(animate::Options),
-    /// Write the model for other programs: a functional mock-up unit for co-simulation
+    /// Write the model for other programs: a functional mock-up unit for co-simulation, equations
     Export(export::Options),
     /// Run the bundled validation cases: reference, ours, difference, verdict
     Validate(validate::Options),

@@ -5,6 +5,7 @@
 //! without a word ([`Imported::left_out`]).
 
 mod draft;
+pub mod export;
 pub mod import;
 mod source;
 

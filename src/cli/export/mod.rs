@@ -3,7 +3,9 @@
 //! | file  | kind                                                |
 //! | ----- | --------------------------------------------------- |
 //! | `fmu` | a functional mock-up unit (FMI) for co-simulation   |
+//! | `equations` | equations of motion, in Python or LaTeX       |
 
+mod equations;
 mod fmu;
 
 use std::path::PathBuf;
@@ -34,14 +36,21 @@ struct Kind {
     /// A functional mock-up unit (FMI 3.0 or 2.0) for co-simulation, with all that it needs to run
     #[arg(long)]
     fmu: bool,
+    /// Equations of motion in minimal coordinates: a module of Python that needs NumPy alone, or a document in LaTeX
+    #[arg(long, value_name = "LANGUAGE")]
+    equations: Option<equations::Language>,
 }
 
 const HELP: &str = "  linkdyn export pendulum --fmu -o pendulum.fmu
-  linkdyn export pendulum --fmu --fmi 2 --output rod.angle -o pendulum.fmu";
+  linkdyn export pendulum --fmu --fmi 2 --output rod.angle -o pendulum.fmu
+  linkdyn export double-pendulum --equations python -o pendulum.py
+  linkdyn export four-bar --equations latex -o four-bar.tex";
 
 /// Reads the model, and writes what is requested.
 pub fn execute(options: &Options) -> Result<Exit, Failure> {
+    if let Some(language) = options.kind.equations {
+        return equations::export(&options.model, language, &options.output);
+    }
     // clap has seen to it that there is one.
-    let Kind { fmu: _ } = options.kind;
     fmu::export(&options.model, &options.fmu, &options.output)
 }

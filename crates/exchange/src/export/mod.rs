@@ -1,0 +1,3 @@
+//! Models as files for other programs and people.
+
+pub mod equations;
