@@ -25,6 +25,7 @@ cluster     studies on many machines: Ray, Slurm, object stores, what it costs
 models      the bundled models, with a picture of each
 commands    what each command does, exit statuses, figures
 format      reference of model files
+exchange    mechanisms of other programs, read by linkdyn import
 results     reference of columns, summary, events, the report
 messages    what a message means and what to do
 theory      equations of every element and method, with signs and sources
@@ -46,6 +47,7 @@ fn text(page: &str) -> Option<&'static str> {
         "models" => include_str!("../../docs/models.md"),
         "commands" => include_str!("../../docs/commands.md"),
         "format" => include_str!("../../docs/format.md"),
+        "exchange" => include_str!("../../docs/exchange.md"),
         "results" => include_str!("../../docs/results.md"),
         "messages" => include_str!("../../docs/messages.md"),
         "theory" => include_str!("../../docs/theory.md"),
@@ -81,6 +83,6 @@ mod tests {
     fn every_page_of_the_list_has_a_text() {
         let names = LIST.lines().filter_map(|line| line.split(' ').next());
         assert!(names.clone().all(|name| text(name).is_some()));
-        assert_eq!(names.count(), 16);
+        assert_eq!(names.count(), 17);
     }
 }

@@ -13,6 +13,7 @@
 //! | [`editor`]      | a mechanism that moves while you draw it, in a browser        |
 //! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
+//! | [`exchange`]    | mechanisms of other programs, read by `linkdyn import`        |
 //! | [`results`]     | reference of columns, summary, events, the report             |
 //! | [`messages`]    | what a message means and what to do                           |
 //! | [`theory`]      | the equations of every element and method, with their sources |
@@ -34,6 +35,10 @@ pub mod commands {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/editor.md")]
 pub mod editor {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/exchange.md")]
+pub mod exchange {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/format.md")]
