@@ -62,6 +62,14 @@ impl TimeLaw {
         }
     }
 
+    /// Its numbers.
+    pub fn numbers(&self) -> &[f64] {
+        match self {
+            TimeLaw::Polynomial(coefficients) => coefficients,
+            TimeLaw::Harmonic(numbers) => numbers,
+        }
+    }
+
     /// The same, less a constant.
     #[must_use]
     pub fn less(mut self, constant: f64) -> TimeLaw {

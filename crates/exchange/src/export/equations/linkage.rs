@@ -6,7 +6,7 @@
 
 use std::collections::VecDeque;
 
-use linkdyn_model::error::Complaints;
+use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{
     Checked, DriverKind, ForceKind, Frame, GROUND, JointKind, Model, PointRef, Value,
 };
@@ -173,6 +173,9 @@ pub struct Guideway {
     pub axis: Plane,
 }
 
+/// In SI units: entries are products of five numbers at most, which must not overflow.
+const LARGEST: f64 = 1e60;
+
 /// Identifiers that the program has itself.
 const RESERVED: [&str; 20] = [
     "BODIES",
@@ -207,13 +210,42 @@ impl Linkage {
         if !complaints.is_empty() {
             return Err(complaints.into());
         }
-        Ok(Builder::new(model, name).linkage())
+        let linkage = Builder::new(model, name).linkage();
+        match linkage.too_large() {
+            None => Ok(linkage),
+            Some(path) => {
+                let message = "a number is too large for products of it to be written as equations";
+                Err(Complaint::new(path, message)
+                    .hint("1e60 in SI units at most")
+                    .into())
+            }
+        }
     }
 
-    /// How a body turns; the ground does not.
-    pub fn turn(&self, body: &str) -> Turn {
-        let own = self.bodies.iter().find(|own| own.name == body);
-        own.map_or_else(Turn::default, |own| own.turn)
+    /// Where a number is so large that products might overflow.
+    fn too_large(&self) -> Option<String> {
+        let is_large = |numbers: &[f64]| numbers.iter().any(|number| number.abs() > LARGEST);
+        let mut bodies = self.bodies.iter();
+        let of_body = bodies.find(|own| is_large(&[own.mass, own.inertia, own.com[0], own.com[1]]));
+        let mut drives = self.drives.iter();
+        let of_drive = drives.find(|own| is_large(own.law.numbers()));
+        let mut forces = self.forces.iter();
+        let of_force = forces.find(|own| match &own.kind {
+            Action::Spring(_, factors, law) | Action::Torsion(_, factors, law) => {
+                is_large(factors) || is_large(law.numbers())
+            }
+            Action::Push(_, law) | Action::Torque(_, law) => is_large(law.numbers()),
+            Action::Force(_, laws, _) => laws.iter().any(|law| is_large(law.numbers())),
+        });
+        let is_far = self.vectors.iter().any(|own| is_large(&own.value));
+        let found = [
+            is_large(&self.gravity).then(|| "gravity".to_owned()),
+            of_body.map(|own| format!("bodies.{}", own.name)),
+            is_far.then(|| "bodies".to_owned()),
+            of_drive.map(|own| format!("drivers.{}.motion", own.name)),
+            of_force.map(|own| format!("forces.{}", own.name)),
+        ];
+        found.into_iter().flatten().next()
     }
 }
 

@@ -9,9 +9,9 @@ use linkdyn_model::error::{Complaint, Complaints};
 use super::linkage::{CoordinateKind, Linkage};
 use super::place::{Plane, dot, turned};
 
-/// Pivots are as good as the largest down to this part of it [1].
+/// Pivots are as good as the largest down to this part of it \[1\].
 const GOOD: f64 = 0.1;
-/// Rows whose largest entry is below this part of the mechanism's length depend on others [1].
+/// Rows whose largest entry is below this part of the mechanism's length depend on others \[1\].
 const DEPENDENT: f64 = 1e-8;
 
 /// A body at an instant, by the origin of its frame.

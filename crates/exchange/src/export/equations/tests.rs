@@ -119,6 +119,10 @@ fn drivers_and_forces_that_are_not_written_are_named() {
             "forces.s.limits: a stroke that ends is not written as equations (strokes without limits are)",
         ),
         (
+            r#""forces": { "f": { "type": "torque", "body": "rod", "value": 1e61 } }"#,
+            "forces.f: a number is too large for products of it to be written as equations (1e60 in SI units at most)",
+        ),
+        (
             r#""states": { "heat": { "start": 0, "rate": "=1/1 s" } }"#,
             "states.heat: a state with a rate of its own is not written as equations (mechanisms are)",
         ),

@@ -8,7 +8,7 @@
 
 use super::place::{Place, Plane};
 
-/// Amplitudes below this part of what was summed are round-off [1].
+/// Amplitudes below this part of what was summed are round-off \[1\].
 const ROUND_OFF: f64 = 1e-13;
 
 /// A coordinate or its rate, as a factor.
