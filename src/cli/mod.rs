@@ -26,6 +26,7 @@ mod created;
 mod docs;
 mod edit;
 mod exit;
+mod export;
 mod gallery;
 mod import;
 mod interrupt;
@@ -119,6 +120,8 @@ enum Command {
     Plot(Box<plot::Options>),
     /// Draw the mechanism in motion, as a film or as poses
     Animate(animate::Options),
+    /// Write the model for other programs: a functional mock-up unit for co-simulation
+    Export(export::Options),
     /// Run the bundled validation cases: reference, ours, difference, verdict
     Validate(validate::Options),
     /// List the bundled models, print one as JSON, or draw them
@@ -186,6 +189,7 @@ impl Command {
             Command::Optimise(options) => optimise::execute(&options),
             Command::Plot(options) => plot::execute(&options),
             Command::Animate(options) => animate::execute(&options),
+            Command::Export(options) => export::execute(&options),
             Command::Validate(options) => validate::execute(&options),
             Command::Models(options) => models::execute(&options),
             Command::Schema => schema::execute(),
