@@ -30,11 +30,16 @@
 //! # Ok::<(), linkdyn::Error>(())
 //! ```
 
+// Without the command some of what it needs is needed by nobody.
+#![cfg_attr(not(feature = "command"), allow(dead_code))]
+
 #[doc(hidden)]
 pub mod bridge;
 #[cfg(feature = "command")]
 #[doc(hidden)]
 pub mod cli;
+#[doc(hidden)]
+pub mod fmu;
 pub mod guide;
 pub mod prelude;
 

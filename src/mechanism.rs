@@ -9,7 +9,7 @@ use linkdyn_ask::{ModelFile, Text};
 use linkdyn_engine::analysis::Prepared;
 use linkdyn_model::error::Complaints;
 use linkdyn_model::{Checked, FileAccess, Loaded, Model, bundled};
-use linkdyn_output::ColumnId;
+use linkdyn_output::{Column as Heading, ColumnId};
 
 use crate::error::Error;
 use crate::handles::{Column, Columns, Parameter};
@@ -237,14 +237,20 @@ impl Mechanism {
     /// Names and handles of the result columns, in the order of `results.csv`; `time` is the first. Empty where the model says
     /// no analysis.
     pub fn columns(&self) -> impl Iterator<Item = (&str, Column)> {
+        let headings = self.headings();
+        headings.map(|(heading, column)| (heading.name.as_str(), column))
+    }
+
+    /// Headings and handles of the result columns.
+    pub(crate) fn headings(&self) -> impl Iterator<Item = (&Heading, Column)> {
         let columns = self.columns.table.iter().enumerate();
-        columns.map(|(index, column)| {
+        columns.map(|(index, heading)| {
             let handle = Column {
                 id: ColumnId::at(index),
                 table: self.columns.mark,
-                unit: column.unit,
+                unit: heading.unit,
             };
-            (column.name.as_str(), handle)
+            (heading, handle)
         })
     }
 
