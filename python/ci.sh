@@ -33,6 +33,12 @@ stage() {
 
 # With the profile of the tests, which have compiled everything but what is Python's own.
 stage maturin build --quiet --release --locked --out "$place/wheels"
+# The library of functional mock-up units, which the tests have compiled, too.
+stage cargo build --quiet --release --locked -p linkdyn -p linkdyn-fmi --lib
+target="${CARGO_TARGET_DIR:-$PWD/../target}/release"
+for file in "$target"/{lib,}linkdyn_fmi.{so,dylib,dll}; do
+  if [ -e "$file" ]; then export LINKDYN_FMU_LIBRARY="$file"; fi
+done
 wait "$installing"
 # The source distribution has all that its manifests name.
 stage maturin sdist --out "$place/sdist" 2> "$place/sdist.log" || { cat "$place/sdist.log" >&2; exit 1; }

@@ -3,19 +3,24 @@
 //!
 //! ```text
 //! value reference    0      1 …                       …                 …                  last
-//! variable           time   parameters.NAME (fixed)   input.NAME        result columns     events
+//! variable           time   parameters.NAME (fixed)   input.NAME,       result columns     events
+//!                                                     driver.NAME.acceleration
 //! ```
 //!
 //! The order follows from the model alone, so that both sides agree. All numbers are in SI units.
 
+use linkdyn_model::driver::DriverKind;
 use linkdyn_output::{BodyQuantity, Channel, DriverQuantity, PointQuantity, StateQuantity};
 use sha2::{Digest, Sha256};
 
+use crate::error::Error;
 use crate::handles::{Column, Parameter};
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, unknown};
 
 /// The name of the model in the folder `resources` of a unit.
 pub const MODEL: &str = "model.json";
+/// The name of a file there, a list of the drivers whose acceleration is an input, as JSON.
+pub const STEERED: &str = "steered.json";
 
 /// The variables of a unit; their places are their value references.
 #[derive(Debug, Clone)]
@@ -29,6 +34,8 @@ pub struct Interface {
 pub struct Variable {
     /// Its name, unique in the unit.
     pub name: String,
+    /// The name of what it is of: an input, a driver; otherwise empty.
+    pub owner: String,
     /// Its SI unit; empty of a plain number.
     pub unit: String,
     /// What it is.
@@ -42,11 +49,15 @@ pub enum Role {
     Time,
     /// A parameter of the model, to be set before the motion begins.
     Parameter(Parameter),
-    /// A result column; inputs may change it at once, without a step.
+    /// An input of the model, with its value until it is set.
+    Input(f64),
+    /// The acceleration of a driver.
+    Acceleration,
+    /// A result column.
     Output {
         /// Which.
         column: Column,
-        /// Whether it depends on the inputs of the instant.
+        /// Whether inputs change it at once, without a step.
         is_direct: bool,
     },
     /// How many events there have been.
@@ -54,37 +65,75 @@ pub enum Role {
 }
 
 impl Interface {
-    /// Of a mechanism: all its parameters and inputs, and all its result columns.
-    pub fn new(mechanism: &Mechanism) -> Self {
+    /// Of a mechanism: all its parameters and inputs, and all its result columns; with drivers whose acceleration is an input.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] where there is no such driver.
+    pub fn new(mechanism: &Mechanism, steered: &[String]) -> Result<Self, Error> {
         let named = |name: &str, unit: &str, role| Variable {
             name: name.to_owned(),
+            owner: String::new(),
             unit: unit.to_owned(),
             role,
         };
-        let parameters = mechanism.parameters().map(|(name, handle)| {
+        let mut variables = vec![named("time", "s", Role::Time)];
+        variables.extend(mechanism.parameters().map(|(name, handle)| {
             let name = format!("parameters.{name}");
             named(&name, &handle.unit(), Role::Parameter(handle))
-        });
-        let columns = mechanism.headings().filter_map(|(heading, column)| {
+        }));
+        variables.extend(
+            mechanism
+                .model()
+                .inputs
+                .iter()
+                .map(|(name, input)| Variable {
+                    owner: name.clone(),
+                    ..named(
+                        &format!("input.{name}"),
+                        &input.unit,
+                        Role::Input(input.start),
+                    )
+                }),
+        );
+        for owner in steered {
+            let drivers = &mechanism.model().drivers;
+            let driver = drivers
+                .get(owner)
+                .ok_or_else(|| unknown("driver", owner, drivers.keys().map(String::as_str)))?;
+            let unit = match driver.kind {
+                DriverKind::Rotation { .. } => "rad/s^2",
+                DriverKind::Translation { .. }
+                | DriverKind::Length { .. }
+                | DriverKind::Point { .. } => "m/s^2",
+            };
+            let name = format!("driver.{owner}.acceleration");
+            variables.push(Variable {
+                owner: owner.clone(),
+                ..named(&name, unit, Role::Acceleration)
+            });
+        }
+        variables.extend(mechanism.headings().filter_map(|(heading, column)| {
             let is_direct = match heading.channel? {
                 Channel::Time => return None,
                 channel => is_direct(channel),
             };
             let role = Role::Output { column, is_direct };
             Some(named(&heading.name, heading.unit, role))
-        });
-        let time = named("time", "s", Role::Time);
-        let events = named("events", "", Role::Events);
-        let all = std::iter::once(time).chain(parameters).chain(columns);
-        Interface {
-            variables: all.chain([events]).collect(),
-        }
+        }));
+        variables.push(named("events", "", Role::Events));
+        Ok(Interface { variables })
     }
 
     /// Its parameters.
     pub fn parameters(&self) -> impl Iterator<Item = &Variable> {
         let variables = self.variables.iter();
         variables.filter(|variable| matches!(variable.role, Role::Parameter(_)))
+    }
+
+    /// Its inputs.
+    pub fn inputs(&self) -> impl Iterator<Item = &Variable> {
+        let variables = self.variables.iter();
+        variables.filter(|variable| matches!(variable.role, Role::Input(_) | Role::Acceleration))
     }
 
     /// Its result columns.
@@ -97,6 +146,8 @@ impl Interface {
     pub fn start(&self, reference: usize) -> Option<f64> {
         match self.variables.get(reference)?.role {
             Role::Parameter(handle) => Some(handle.nominal().si()),
+            Role::Input(start) => Some(start),
+            Role::Acceleration => Some(0.0),
             Role::Time | Role::Output { .. } | Role::Events => None,
         }
     }
@@ -160,7 +211,12 @@ pub fn default_outputs(mechanism: &Mechanism) -> Vec<String> {
     })
 }
 
-/// What tells a unit from others: the hash of its model, hexadecimal.
-pub fn token(model: &[u8]) -> String {
-    format!("linkdyn-{:x}", Sha256::digest(model))
+/// What tells a unit from others: the hash of its model and its steered drivers, hexadecimal.
+pub fn token(model: &[u8], steered: &[u8]) -> String {
+    let mut hash = Sha256::new();
+    for part in [model, steered] {
+        hash.update((part.len() as u64).to_le_bytes());
+        hash.update(part);
+    }
+    format!("linkdyn-{:x}", hash.finalize())
 }

@@ -22,6 +22,7 @@ studies     many variants of a model: sweeps, samples of tolerances, clusters
 optimise    parameters that meet a goal, are best, or let a point take a path
 python      runs, variants, studies and notebooks in Python
 cluster     studies on many machines: Ray, Slurm, object stores, what it costs
+fmu         mechanisms in programs that know FMI: inputs, outputs, states
 models      the bundled models, with a picture of each
 commands    what each command does, exit statuses, figures
 format      reference of model files
@@ -43,6 +44,7 @@ fn text(page: &str) -> Option<&'static str> {
         "optimise" => include_str!("../../docs/optimise.md"),
         "python" => include_str!("../../docs/python.md"),
         "cluster" => include_str!("../../docs/cluster.md"),
+        "fmu" => include_str!("../../docs/fmu.md"),
         "models" => include_str!("../../docs/models.md"),
         "commands" => include_str!("../../docs/commands.md"),
         "format" => include_str!("../../docs/format.md"),
@@ -81,6 +83,6 @@ mod tests {
     fn every_page_of_the_list_has_a_text() {
         let names = LIST.lines().filter_map(|line| line.split(' ').next());
         assert!(names.clone().all(|name| text(name).is_some()));
-        assert_eq!(names.count(), 16);
+        assert_eq!(names.count(), 17);
     }
 }

@@ -10,6 +10,7 @@
 //! | [`optimise`]    | parameters that meet a goal, are best, or draw a path         |
 //! | [`python`]      | runs, variants, studies and notebooks in Python               |
 //! | [`cluster`]     | studies on many machines, and what it costs                   |
+//! | [`fmu`]         | mechanisms in programs that know FMI                          |
 //! | [`editor`]      | a mechanism that moves while you draw it, in a browser        |
 //! | [`commands`]    | what each command does, exit statuses, figures                |
 //! | [`mod@format`]  | reference of model files, each thing with a piece that runs   |
@@ -34,6 +35,10 @@ pub mod commands {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/editor.md")]
 pub mod editor {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/fmu.md")]
+pub mod fmu {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/format.md")]

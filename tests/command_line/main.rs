@@ -16,6 +16,7 @@ mod cli;
 mod compare;
 #[cfg(target_os = "linux")]
 mod edit;
+mod export;
 mod figures;
 mod full_disk;
 mod fuzz_finds;

@@ -7,8 +7,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use linkdyn::fmu::{Interface, MODEL, Role, token};
+use linkdyn::fmu::{Interface, MODEL, Role, STEERED, token};
 use linkdyn::{Event, Mechanism, Quantity};
 
 use crate::motion::Motion;
@@ -43,6 +44,13 @@ impl Phase {
         Phase::Event,
         Phase::Terminated,
         Phase::Broken,
+    ];
+
+    const BEFORE_THE_END: [Phase; 4] = [
+        Phase::Instantiated,
+        Phase::Initialization,
+        Phase::Step,
+        Phase::Event,
     ];
 
     fn name(self) -> &'static str {
@@ -95,7 +103,7 @@ pub struct Stepped {
 /// An instance.
 pub struct Instance {
     mechanism: Mechanism,
-    interface: Interface,
+    interface: Arc<Interface>,
     token: String,
     stops_at_events: bool,
     /// Whether events are logged.
@@ -120,7 +128,8 @@ impl Instance {
         let path = made.resources.join(MODEL);
         let text = fs::read(&path)
             .map_err(|why| Refusal::new(format!("{}: can't be read: {why}", path.display())))?;
-        let own = token(&text);
+        let steered = fs::read(made.resources.join(STEERED)).unwrap_or_default();
+        let own = token(&text, &steered);
         if own != made.token {
             return Err(Refusal::new(format!(
                 "the token {:?} is not that of the model in {}: {own:?}",
@@ -129,7 +138,12 @@ impl Instance {
             )));
         }
         let mechanism = Mechanism::open(&path)?;
-        let interface = Interface::new(&mechanism);
+        let steered = match &steered[..] {
+            [] => Vec::new(),
+            list => serde_json::from_slice(list)
+                .map_err(|why| Refusal::new(format!("{STEERED}: {why}")))?,
+        };
+        let interface = Arc::new(Interface::new(&mechanism, &steered)?);
         Ok(Instance {
             values: starts(&interface),
             mechanism,
@@ -316,7 +330,9 @@ impl Instance {
         for (reference, value) in references.iter().zip(values) {
             *value = match self.role(*reference)? {
                 Role::Time => self.time(),
-                Role::Parameter(_) => self.values[*reference as usize],
+                Role::Parameter(_) | Role::Input(_) | Role::Acceleration => {
+                    self.values[*reference as usize]
+                }
                 Role::Output { column, .. } => self.output(*reference, column)?,
                 Role::Events => return Err(self.mistaken(*reference, "a whole number")),
             };
@@ -334,7 +350,11 @@ impl Instance {
         for (reference, value) in references.iter().zip(values) {
             *value = match self.role(*reference)? {
                 Role::Events => i32::try_from(self.events).unwrap_or(i32::MAX),
-                Role::Time | Role::Parameter(_) | Role::Output { .. } => {
+                Role::Time
+                | Role::Parameter(_)
+                | Role::Input(_)
+                | Role::Acceleration
+                | Role::Output { .. } => {
                     return Err(self.mistaken(*reference, "a real number"));
                 }
             };
@@ -363,6 +383,14 @@ impl Instance {
                         self.motion = None;
                     }
                 }
+                Role::Input(_) | Role::Acceleration => {
+                    let what = format!("setting {name}");
+                    self.need(&Phase::BEFORE_THE_END, &what)?;
+                    let was = std::mem::replace(&mut self.values[reference as usize], value);
+                    if let Some(motion) = self.motion.as_mut().filter(|_| was != value) {
+                        motion.set(reference, value)?;
+                    }
+                }
                 Role::Time | Role::Output { .. } | Role::Events => {
                     return Err(Refusal::new(format!(
                         "{name} can't be set: parameters and inputs can"
@@ -383,7 +411,7 @@ impl Instance {
             let what = format!("the value of {}", self.name(reference));
             self.need(&[Phase::Initialization, Phase::Step, Phase::Event], &what)?;
         }
-        Ok(self.motion()?.value(column))
+        self.motion()?.value(column)
     }
 
     fn name(&self, reference: u32) -> String {
@@ -398,7 +426,10 @@ impl Instance {
     fn motion(&mut self) -> Result<&mut Motion, Refusal> {
         let motion = match self.motion.take() {
             Some(motion) => motion,
-            None => Motion::new(&self.with_values(&self.values)?)?,
+            None => {
+                let mechanism = self.with_values(&self.values)?;
+                Motion::new(&mechanism, &self.interface, &self.values)?
+            }
         };
         Ok(self.motion.insert(motion))
     }
@@ -503,9 +534,13 @@ fn told(event: &Event) -> String {
     format!("t = {} s: {}", event.time, parts.join(", "))
 }
 
+/// Step of inputs for differences, of their size, or of 1 where that is less.
+const DIFFERENCE: f64 = 1e-3;
+
 /// Derivatives.
 impl Instance {
-    /// What outputs change by where inputs change by a seed, at the instant.
+    /// How outputs change where inputs change by a seed, at the instant: by central differences of two steps, of fourth order. So it is
+    /// exact, but for round-off, where accelerations and forces are linear in inputs, or squares of them.
     ///
     /// # Errors
     /// Variables that are no outputs, or no inputs.
@@ -516,7 +551,58 @@ impl Instance {
     ) -> Result<(), Refusal> {
         same(knowns.len(), seed.len())?;
         same(unknowns.len(), sensitivity.len())?;
-        Err(Refusal::new("the unit has no inputs"))
+        let legal = [Phase::Initialization, Phase::Step, Phase::Event];
+        self.need(&legal, "a directional derivative")?;
+        let mut columns = Vec::new();
+        for &unknown in unknowns {
+            match self.role(unknown)? {
+                Role::Output { column, .. } => columns.push(column),
+                _ => return Err(self.mistaken(unknown, "no output that has derivatives")),
+            }
+        }
+        let mut inputs = Vec::new();
+        for (&known, &seed) in knowns.iter().zip(seed) {
+            match self.role(known)? {
+                Role::Input(_) | Role::Acceleration if seed.is_finite() => {
+                    inputs.push((known, self.values[known as usize], seed));
+                }
+                Role::Input(_) | Role::Acceleration => {
+                    return Err(Refusal::new(format!(
+                        "the seed of {} is {seed}",
+                        self.name(known)
+                    )));
+                }
+                _ => {
+                    return Err(self.mistaken(known, "no input, by which outputs have derivatives"));
+                }
+            }
+        }
+        let most = |&(_, value, seed): &(u32, f64, f64)| {
+            DIFFERENCE * f64::max(1.0, value.abs()) / seed.abs()
+        };
+        let step = inputs.iter().map(most).fold(f64::INFINITY, f64::min);
+        sensitivity.fill(0.0);
+        if !step.is_finite() {
+            return Ok(());
+        }
+        let motion = self.motion()?;
+        let point = motion.point();
+        // f′ = (8 (f(h/2) − f(−h/2)) − (f(h) − f(−h))) / (6 h/2 · 2)
+        let weights = [(0.5, 8.0), (-0.5, -8.0), (1.0, -1.0), (-1.0, 1.0)];
+        let mut differences = || {
+            for (part, weight) in weights {
+                for &(known, value, seed) in &inputs {
+                    motion.set(known, value + part * step * seed)?;
+                }
+                for (column, sum) in columns.iter().zip(&mut *sensitivity) {
+                    *sum += weight * motion.value(*column)? / (6.0 * step);
+                }
+            }
+            Ok(())
+        };
+        let done = differences();
+        motion.restore(&point);
+        done
     }
 }
 
@@ -553,7 +639,7 @@ impl Instance {
                 let own = self.motion.as_mut();
                 if !own.is_some_and(|motion| motion.restore(point)) {
                     let mechanism = self.with_values(&state.values)?;
-                    self.motion = Some(Motion::repeat(&mechanism, point)?);
+                    self.motion = Some(Motion::repeat(&mechanism, &self.interface, point)?);
                 }
             }
         }

@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use linkdyn::fmu::{Interface, Role};
 use linkdyn::{Checkpoint, Column, Event, Mechanism, Simulation};
 
 use crate::refusal::Refusal;
@@ -13,6 +14,8 @@ use crate::refusal::Refusal;
 /// What was done to a simulation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Act {
+    /// Gave an input, by its value reference, a value.
+    Set(u32, f64),
     /// Stepped to an instant \[s\].
     Step(f64),
     /// Stepped to an instant \[s\], or the first event before it.
@@ -77,6 +80,10 @@ impl History {
 pub struct Motion {
     simulation: Simulation,
     history: History,
+    /// The interface by which inputs have names.
+    interface: Arc<Interface>,
+    /// Inputs have changed since the result columns were evaluated.
+    is_stale: bool,
 }
 
 /// A point of a motion.
@@ -86,17 +93,42 @@ pub struct Point {
     checkpoint: Option<Checkpoint>,
     /// For all others.
     pub history: History,
+    is_stale: bool,
 }
 
 impl Motion {
-    /// At t = 0.
+    /// At t = 0, with these values of inputs by value reference.
     ///
     /// # Errors
     /// Where the mechanism can't start.
-    pub fn new(mechanism: &Mechanism) -> Result<Self, Refusal> {
+    pub fn new(
+        mechanism: &Mechanism,
+        interface: &Arc<Interface>,
+        values: &[f64],
+    ) -> Result<Self, Refusal> {
+        let mut motion = Motion::bare(mechanism, interface)?;
+        for (reference, value) in (0..).zip(values) {
+            let is_other = match interface.variables[reference as usize].role {
+                Role::Input(start) => start != *value,
+                Role::Acceleration => true,
+                Role::Time | Role::Parameter(_) | Role::Output { .. } | Role::Events => false,
+            };
+            if is_other {
+                motion.set(reference, *value)?;
+            }
+        }
+        Ok(motion)
+    }
+
+    fn bare(mechanism: &Mechanism, interface: &Arc<Interface>) -> Result<Self, Refusal> {
+        let steered = interface.inputs();
+        let steered = steered.filter(|input| input.role == Role::Acceleration);
+        let steered: Vec<&str> = steered.map(|input| input.owner.as_str()).collect();
         Ok(Motion {
-            simulation: mechanism.simulation()?,
+            simulation: mechanism.steered_simulation(&steered)?,
             history: History::default(),
+            interface: interface.clone(),
+            is_stale: false,
         })
     }
 
@@ -106,8 +138,23 @@ impl Motion {
     }
 
     /// The value of a result column.
-    pub fn value(&self, column: Column) -> f64 {
-        self.simulation.value(column)
+    ///
+    /// # Errors
+    /// Where it can't be evaluated under the inputs of the instant.
+    pub fn value(&mut self, column: Column) -> Result<f64, Refusal> {
+        if self.is_stale {
+            // To where it is: that evaluates the columns anew.
+            self.act(Act::Step(self.simulation.time()))?;
+        }
+        Ok(self.simulation.value(column))
+    }
+
+    /// Gives an input a value.
+    ///
+    /// # Errors
+    /// Where there is none of that reference.
+    pub fn set(&mut self, reference: u32, value: f64) -> Result<(), Refusal> {
+        self.act(Act::Set(reference, value)).map(drop)
     }
 
     /// Steps, and tells what happened.
@@ -123,11 +170,26 @@ impl Motion {
 
     fn act(&mut self, act: Act) -> Result<Vec<Event>, Refusal> {
         self.history.push(act);
+        self.is_stale = matches!(act, Act::Set(..));
+        let simulation = &mut self.simulation;
         let happened = match act {
-            Act::Step(time) => self.simulation.step_to(time),
-            Act::StepToEvent(time) => self.simulation.step_to_event(time),
+            Act::Set(reference, value) => {
+                let variable = self.interface.variables.get(reference as usize);
+                match variable.map(|variable| (variable.role, &variable.owner)) {
+                    Some((Role::Input(_), owner)) => simulation.set_input(owner, value)?,
+                    Some((Role::Acceleration, owner)) => {
+                        simulation.set_acceleration(owner, value)?;
+                    }
+                    Some(_) | None => {
+                        return Err(Refusal::new(format!("{reference} is no input")));
+                    }
+                }
+                Vec::new()
+            }
+            Act::Step(time) => simulation.step_to(time)?,
+            Act::StepToEvent(time) => simulation.step_to_event(time)?,
         };
-        Ok(happened?)
+        Ok(happened)
     }
 
     /// Keeps where it is.
@@ -135,6 +197,7 @@ impl Motion {
         Point {
             checkpoint: Some(self.simulation.checkpoint()),
             history: self.history.clone(),
+            is_stale: self.is_stale,
         }
     }
 
@@ -144,6 +207,7 @@ impl Motion {
         let restored = own.is_some_and(|own| self.simulation.restore(own).is_ok());
         if restored {
             self.history = point.history.clone();
+            self.is_stale = point.is_stale;
         }
         restored
     }
@@ -152,8 +216,12 @@ impl Motion {
     ///
     /// # Errors
     /// Where that can't be done.
-    pub fn repeat(mechanism: &Mechanism, point: &Point) -> Result<Self, Refusal> {
-        let mut motion = Motion::new(mechanism)?;
+    pub fn repeat(
+        mechanism: &Mechanism,
+        interface: &Arc<Interface>,
+        point: &Point,
+    ) -> Result<Self, Refusal> {
+        let mut motion = Motion::bare(mechanism, interface)?;
         for act in point.history.acts()? {
             // What failed then fails again, and leaves the same.
             let _ = motion.act(act);
@@ -170,6 +238,7 @@ impl Point {
         Point {
             checkpoint: None,
             history,
+            is_stale: false,
         }
     }
 }

@@ -47,11 +47,13 @@ impl State {
             Some(point) => {
                 put(&[1]);
                 for act in point.history.acts()? {
-                    let (kind, number) = match act {
-                        Act::Step(time) => (0, time),
-                        Act::StepToEvent(time) => (1, time),
+                    let (kind, reference, number) = match act {
+                        Act::Step(time) => (0, 0, time),
+                        Act::StepToEvent(time) => (1, 0, time),
+                        Act::Set(reference, value) => (2, reference, value),
                     };
-                    put(&u32::to_le_bytes(kind));
+                    put(&[kind]);
+                    put(&reference.to_le_bytes());
                     put(&number.to_le_bytes());
                 }
             }
@@ -108,11 +110,13 @@ fn read(rest: &mut Bytes, token: &str) -> Option<State> {
     };
     if *rest.take()? == [1] {
         let mut acts = Vec::new();
-        while let Some(kind) = rest.take() {
+        while let Some([kind]) = rest.take() {
+            let reference = u32::from_le_bytes(*rest.take()?);
             let number = rest.double()?;
-            acts.push(match u32::from_le_bytes(*kind) {
+            acts.push(match kind {
                 0 => Act::Step(number),
                 1 => Act::StepToEvent(number),
+                2 => Act::Set(reference, number),
                 _ => return None,
             });
         }

@@ -2,13 +2,14 @@
 
 use super::*;
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "accuracy",
     "allocate",
     "new",
     "run",
     "check",
     "edit",
+    "export",
     "compare",
     "modes",
     "study",

@@ -6,6 +6,8 @@ use super::source::{root, rust_files};
 
 /// The packages of the workspace from top to bottom, each with those it may depend on.
 const PACKAGES: &[(&str, &[&str])] = &[
+    // The library in functional mock-up units.
+    ("fmi", &["linkdyn"]),
     // Python meets the face and the command, nothing behind them.
     ("python", &[]),
     (
@@ -128,6 +130,35 @@ fn every_package_stands_in_the_table() {
         let known = |package: &(&str, &[&str])| name == package.0;
         assert!(PACKAGES.iter().any(known), "{name:?} is not in the table");
     }
+}
+
+/// The C functions of functional mock-up units take pointers; nothing else does.
+#[test]
+fn unsafe_code_stands_in_one_module() {
+    let mut seen = 0;
+    for folder in [
+        "src",
+        "crates",
+        "python/src",
+        "validation/src",
+        "web/bind/src",
+    ] {
+        for source in rust_files(folder) {
+            let is_entry = source.path.starts_with("crates/fmi/src/entries/");
+            for (number, line) in source.code.iter().enumerate() {
+                let mut words =
+                    line.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+                if words.any(|word| word == "unsafe") {
+                    seen += 1;
+                    assert!(is_entry, "{}:{}: unsafe code", source.path, number + 1);
+                }
+            }
+        }
+    }
+    assert!(
+        seen > 100,
+        "only {seen} uses were found: this test is blind"
+    );
 }
 
 /// The library has no command line: it can be used where there is none.

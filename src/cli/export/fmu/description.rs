@@ -190,7 +190,7 @@ impl Description<'_> {
             variables.filter_map(|(reference, variable)| match variable.role {
                 Role::Output { is_direct, .. } => Some((reference, is_direct)),
                 Role::Events => Some((reference, false)),
-                Role::Time | Role::Parameter(_) => None,
+                Role::Time | Role::Parameter(_) | Role::Input(_) | Role::Acceleration => None,
             })
         };
         // Without the attribute it is all.
@@ -268,6 +268,16 @@ fn attributes(variable: &Variable) -> Attributes {
             variability: "fixed",
             initial: Some("exact"),
             description: "parameter of the model".into(),
+        },
+        Role::Input(_) | Role::Acceleration => Attributes {
+            causality: "input",
+            variability: "continuous",
+            initial: None,
+            description: match variable.role {
+                Role::Acceleration => "acceleration of the driver, which goes on from where it is",
+                _ => "input of the model, constant in a step",
+            }
+            .into(),
         },
         Role::Output { .. } => Attributes {
             causality: "output",

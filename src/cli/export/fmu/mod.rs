@@ -3,11 +3,13 @@
 //! | file          | does                                         |
 //! | ------------- | -------------------------------------------- |
 //! | `description` | `modelDescription.xml`                       |
+//! | `inputs`      | drivers as inputs                            |
 //! | `library`     | the prebuilt libraries, and for which system |
 //! | `archive`     | the ZIP file                                 |
 
 mod archive;
 mod description;
+mod inputs;
 mod library;
 
 use std::path::{Path, PathBuf};
@@ -19,7 +21,7 @@ use crate::cli::open::ModelOptions;
 use crate::cli::results::write_file;
 use crate::cli::streams::print;
 use crate::error::Error;
-use crate::fmu::{Interface, MODEL, default_outputs, token};
+use crate::fmu::{Interface, MODEL, STEERED, default_outputs, token};
 use crate::mechanism::Mechanism;
 use archive::Entry;
 use description::Description;
@@ -40,6 +42,10 @@ pub struct FmuOptions {
     /// points, drivers, measures, states and outputs]
     #[arg(long = "output", value_name = "COLUMN", requires = "fmu")]
     outputs: Vec<String>,
+    /// Input in addition to those of the model: driver.NAME.effort lets a driver go, so that its torque or force comes from outside;
+    /// driver.NAME.acceleration leads it; may be given more than once
+    #[arg(long = "input", value_name = "COLUMN", requires = "fmu")]
+    inputs: Vec<String>,
     /// Prebuilt library of the engine, in addition to that of this command; once for each system
     #[arg(long = "library", value_name = "FILE", requires = "fmu")]
     libraries: Vec<PathBuf>,
@@ -54,17 +60,24 @@ pub fn export(model: &ModelOptions, options: &FmuOptions, file: &Path) -> Result
         )]));
     }
     let libraries = library::all(&options.libraries)?;
-    let mechanism = Mechanism::of_file(model.open()?).map_err(|why| model.refuse(why))?;
+    let (changed, steered) = inputs::given(model.open()?, &options.inputs, model)?;
+    let mechanism = Mechanism::of_file(changed).map_err(|why| model.refuse(why))?;
     let mechanism = with_outputs(&mechanism, options, model)?;
     // What can't begin here begins nowhere.
-    mechanism.simulation().map_err(|why| model.refuse(why))?;
+    let drivers: Vec<&str> = steered.iter().map(String::as_str).collect();
+    let begun = mechanism.steered_simulation(&drivers);
+    begun.map_err(|why| model.refuse(why))?;
     let text = mechanism.to_json();
-    let interface = Interface::new(&mechanism);
+    let steering = match steered.is_empty() {
+        true => String::new(),
+        false => serde_json::json!(steered).to_string(),
+    };
+    let interface = Interface::new(&mechanism, &steered).map_err(|why| model.refuse(why))?;
     let description = Description {
         version: options.fmi,
         mechanism: &mechanism,
         interface: &interface,
-        token: &token(text.as_bytes()),
+        token: &token(text.as_bytes(), steering.as_bytes()),
     };
     let identifier = description.identifier();
     let mut entries = vec![
@@ -72,6 +85,9 @@ pub fn export(model: &ModelOptions, options: &FmuOptions, file: &Path) -> Result
         Entry::new("documentation/index.html", description.page()),
         Entry::new(format!("resources/{MODEL}"), text),
     ];
+    if !steered.is_empty() {
+        entries.push(Entry::new(format!("resources/{STEERED}"), steering));
+    }
     for Library { system, bytes } in libraries {
         let path = system.path(options.fmi, &identifier);
         entries.push(Entry::new(path, bytes));
@@ -81,10 +97,11 @@ pub fn export(model: &ModelOptions, options: &FmuOptions, file: &Path) -> Result
     let mut page = Page::default();
     let outputs = interface.outputs().count();
     page.line(format!(
-        "{}: FMI {}.0 for co-simulation, {}, {}, {} MB",
+        "{}: FMI {}.0 for co-simulation, {}, {}, {}, {} MB",
         written.display(),
         options.fmi,
         count(interface.parameters().count(), "parameter"),
+        count(interface.inputs().count(), "input"),
         count(outputs, "output"),
         number(bytes as f64 / 1e6, 3)
     ));
@@ -106,9 +123,14 @@ fn with_outputs(
         .map(|analysis| analysis.kind);
     if kind != Some(AnalysisKind::Dynamics) {
         let kind = kind.map_or("missing".into(), |kind| serde_json::json!(kind).to_string());
+        let driver = mechanism.model().drivers.keys().next();
+        let hint = driver.map_or(String::new(), |driver| {
+            format!(
+                "--input driver.{driver}.effort lets a driver go, so that its torque or force moves the mechanism; "
+            )
+        });
         return Err(BadInput(vec![format!(
-            "{label}: analysis.type is {kind}: a functional mock-up unit moves by \"dynamics\" (--set analysis.type=dynamics, or let a \
-             driver go, so that forces move the mechanism)"
+            "{label}: analysis.type is {kind}: a functional mock-up unit moves by \"dynamics\" ({hint}--set analysis.type=dynamics where forces move it)"
         )]));
     }
     let wanted = match &options.outputs[..] {

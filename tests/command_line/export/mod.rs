@@ -1,0 +1,3 @@
+//! `linkdyn export`: files for other programs.
+
+mod fmu;
