@@ -10,7 +10,9 @@
 //! The order follows from the model alone, so that both sides agree. All numbers are in SI units.
 
 use linkdyn_model::driver::DriverKind;
-use linkdyn_output::{BodyQuantity, Channel, DriverQuantity, PointQuantity, StateQuantity};
+use linkdyn_output::{
+    BodyQuantity, Channel, DriverQuantity, PointQuantity, RelativeQuantity, StateQuantity, matches,
+};
 use sha2::{Digest, Sha256};
 
 use crate::error::Error;
@@ -65,7 +67,7 @@ pub enum Role {
 }
 
 impl Interface {
-    /// Of a mechanism: all its parameters and inputs, and all its result columns; with drivers whose acceleration is an input.
+    /// Of a mechanism: all its parameters and inputs, and the result columns of its analysis; with drivers whose acceleration is an input.
     ///
     /// # Errors
     /// [`Error::Unknown`] where there is no such driver.
@@ -112,7 +114,15 @@ impl Interface {
                 ..named(&name, unit, Role::Acceleration)
             });
         }
+        let patterns = mechanism.model().analysis.iter();
+        let patterns: Vec<&String> = patterns.flat_map(|analysis| &analysis.columns).collect();
+        let is_wanted = |name: &str| {
+            patterns.is_empty() || patterns.iter().any(|pattern| matches(pattern, name))
+        };
         variables.extend(mechanism.headings().filter_map(|(heading, column)| {
+            if !is_wanted(&heading.name) {
+                return None;
+            }
             let is_direct = match heading.channel? {
                 Channel::Time => return None,
                 channel => is_direct(channel),
@@ -164,8 +174,8 @@ fn is_direct(channel: Channel) -> bool {
         Channel::Point(_, quantity) => matches!(quantity, PointQuantity::Ax | PointQuantity::Ay),
         Channel::Driver(_, quantity) => quantity != DriverQuantity::Value,
         Channel::State(_, quantity) => quantity != StateQuantity::Value,
+        Channel::Relative(_, quantity) => quantity == RelativeQuantity::F,
         Channel::Joint(..)
-        | Channel::Relative(..)
         | Channel::Energy(_)
         | Channel::Load(..)
         | Channel::Shaking(_)

@@ -178,12 +178,13 @@ fn an_instance_moves_as_a_run_does() {
         .run()
         .expect("a run");
     let height = run.mechanism().column("ball.y").expect("a column");
+    let heights: Vec<f64> = run.column(height).to_vec();
     let unit = Unit::new("run", &model, "");
     let mut ball = unit.begun();
     for (row, time) in run.time().iter().enumerate().skip(1) {
         let now = ball.time();
         ball.step(now, time - now).expect("a step");
-        let [own, expected] = [value(&mut ball, "ball.y"), run.column(height)[row]];
+        let [own, expected] = [value(&mut ball, "ball.y"), heights[row]];
         assert!(
             (own - expected).abs() < 1e-9,
             "t = {time}: {own}, {expected}"

@@ -19,7 +19,7 @@ fn library() -> Vec<u8> {
 }
 
 /// A crank that its driver turns, and a model that moves freely.
-const CRANK: &str = r#"{ "format": "linkdyn/1", "name": "Crank <1>", "parameters": { "r": "50 mm", "k": 2 },
+const CRANK: &str = r#"{ "format": "linkdyn/1", "units": "SI", "name": "Crank <1>", "parameters": { "r": "50 mm", "k": 2 },
   "bodies": { "ground": { "points": { "O": [0, 0] } },
     "crank": { "mass": 1, "inertia": 2, "com": [0, 0], "points": { "O": [0, 0], "A": ["=r", 0] } } },
   "joints": { "pin": { "type": "revolute", "between": ["ground.O", "crank.O"] } },
@@ -141,7 +141,9 @@ fn variables_are_time_parameters_inputs_columns_and_events() {
             "crank.A.y output m -",
             "events output - -",
         ];
-        assert_eq!(variables(&scratch, &free), expected);
+        // FMI 2.0 needs no variable for the time.
+        let first = usize::from(version == "2");
+        assert_eq!(variables(&scratch, &free), expected[first..]);
     }
 }
 
@@ -231,8 +233,8 @@ fn what_can_not_be_a_unit_is_refused() {
             "pendulun: no such file, and no bundled model of that name (did you mean \"pendulum\"?)",
         ),
         (
-            "pendulum --fmu --library lib.so -o no/where/../a.fmu/b.fmu",
-            "b.fmu",
+            "pendulum --fmu --library lib.so -o crank.json/b.fmu",
+            "crank.json: not a directory, so results can't be written into it (choose another with -o)",
         ),
     ];
     for (arguments, said) in cases {

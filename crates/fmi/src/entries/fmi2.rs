@@ -10,12 +10,12 @@ use crate::instance::{Instance, Made, Start, path_of_uri};
 use crate::refusal::{Refusal, Severity};
 
 /// The importer's log: environment, instance, status, category, format of the rest.
-type Logger =
+pub(super) type Logger =
     unsafe extern "C" fn(*mut c_void, *const c_char, c_int, *const c_char, *const c_char, ...);
 
 /// What the importer lends, of which the log is needed.
 #[repr(C)]
-struct Callbacks {
+pub(super) struct Callbacks {
     logger: Option<Logger>,
     _allocate: *const c_void,
     _free: *const c_void,
@@ -37,17 +37,17 @@ const NO_OUTPUT_DERIVATIVES: &str =
 const NOT_PENDING: &str = "no step is pending: canRunAsynchronuously is false";
 
 #[unsafe(no_mangle)]
-extern "C" fn fmi2GetTypesPlatform() -> *const c_char {
+pub(super) extern "C" fn fmi2GetTypesPlatform() -> *const c_char {
     c"default".as_ptr()
 }
 
 #[unsafe(no_mangle)]
-extern "C" fn fmi2GetVersion() -> *const c_char {
+pub(super) extern "C" fn fmi2GetVersion() -> *const c_char {
     c"2.0".as_ptr()
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2Instantiate(
+pub(super) unsafe extern "C" fn fmi2Instantiate(
     name: *const c_char,
     kind: c_int,
     token: *const c_char,
@@ -98,13 +98,13 @@ unsafe extern "C" fn fmi2Instantiate(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2FreeInstance(instance: Handle) {
+pub(super) unsafe extern "C" fn fmi2FreeInstance(instance: Handle) {
     // SAFETY: the caller's.
     unsafe { free(instance) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetDebugLogging(instance: Handle, is_on: c_int) -> c_int {
+pub(super) unsafe extern "C" fn fmi2SetDebugLogging(instance: Handle, is_on: c_int) -> c_int {
     // SAFETY: the caller's.
     unsafe {
         answer(instance, |instance| {
@@ -115,7 +115,7 @@ unsafe extern "C" fn fmi2SetDebugLogging(instance: Handle, is_on: c_int) -> c_in
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetupExperiment(
+pub(super) unsafe extern "C" fn fmi2SetupExperiment(
     instance: Handle,
     _has_tolerance: c_int,
     _tolerance: f64,
@@ -133,31 +133,31 @@ unsafe extern "C" fn fmi2SetupExperiment(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2EnterInitializationMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2EnterInitializationMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::enter_initialization) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2ExitInitializationMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2ExitInitializationMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::exit_initialization) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2Terminate(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2Terminate(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::terminate) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2Reset(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2Reset(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::reset) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetReal(
+pub(super) unsafe extern "C" fn fmi2GetReal(
     instance: Handle,
     references: *const u32,
     count: usize,
@@ -172,7 +172,7 @@ unsafe extern "C" fn fmi2GetReal(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetReal(
+pub(super) unsafe extern "C" fn fmi2SetReal(
     instance: Handle,
     references: *const u32,
     count: usize,
@@ -187,7 +187,7 @@ unsafe extern "C" fn fmi2SetReal(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetInteger(
+pub(super) unsafe extern "C" fn fmi2GetInteger(
     instance: Handle,
     references: *const u32,
     count: usize,
@@ -202,7 +202,7 @@ unsafe extern "C" fn fmi2GetInteger(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetDirectionalDerivative(
+pub(super) unsafe extern "C" fn fmi2GetDirectionalDerivative(
     instance: Handle,
     unknowns: *const u32,
     unknown_count: usize,
@@ -227,7 +227,7 @@ unsafe extern "C" fn fmi2GetDirectionalDerivative(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2DoStep(
+pub(super) unsafe extern "C" fn fmi2DoStep(
     instance: Handle,
     now: f64,
     step: f64,
@@ -238,7 +238,11 @@ unsafe extern "C" fn fmi2DoStep(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetStatus(instance: Handle, _kind: c_int, status: *mut c_int) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetStatus(
+    instance: Handle,
+    _kind: c_int,
+    status: *mut c_int,
+) -> c_int {
     // SAFETY: the caller's.
     unsafe {
         answer(instance, |_| {
@@ -249,7 +253,11 @@ unsafe extern "C" fn fmi2GetStatus(instance: Handle, _kind: c_int, status: *mut 
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetRealStatus(instance: Handle, kind: c_int, value: *mut f64) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetRealStatus(
+    instance: Handle,
+    kind: c_int,
+    value: *mut f64,
+) -> c_int {
     // SAFETY: the caller's.
     unsafe {
         answer(instance, |instance| match kind {
@@ -263,7 +271,7 @@ unsafe extern "C" fn fmi2GetRealStatus(instance: Handle, kind: c_int, value: *mu
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetBooleanStatus(
+pub(super) unsafe extern "C" fn fmi2GetBooleanStatus(
     instance: Handle,
     kind: c_int,
     value: *mut c_int,
@@ -281,25 +289,25 @@ unsafe extern "C" fn fmi2GetBooleanStatus(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetFMUstate(instance: Handle, state: *mut Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetFMUstate(instance: Handle, state: *mut Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { get_state(instance, state) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetFMUstate(instance: Handle, state: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2SetFMUstate(instance: Handle, state: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { set_state(instance, state) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2FreeFMUstate(instance: Handle, state: *mut Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2FreeFMUstate(instance: Handle, state: *mut Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { free_state(instance, state) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SerializedFMUstateSize(
+pub(super) unsafe extern "C" fn fmi2SerializedFMUstateSize(
     instance: Handle,
     state: Handle,
     size: *mut usize,
@@ -309,7 +317,7 @@ unsafe extern "C" fn fmi2SerializedFMUstateSize(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SerializeFMUstate(
+pub(super) unsafe extern "C" fn fmi2SerializeFMUstate(
     instance: Handle,
     state: Handle,
     bytes: *mut u8,
@@ -320,7 +328,7 @@ unsafe extern "C" fn fmi2SerializeFMUstate(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2DeSerializeFMUstate(
+pub(super) unsafe extern "C" fn fmi2DeSerializeFMUstate(
     instance: Handle,
     bytes: *const u8,
     count: usize,
@@ -331,121 +339,121 @@ unsafe extern "C" fn fmi2DeSerializeFMUstate(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetBoolean(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetBoolean(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetString(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetString(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetInteger(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2SetInteger(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetBoolean(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2SetBoolean(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetString(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2SetString(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetRealInputDerivatives(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2SetRealInputDerivatives(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_INPUT_DERIVATIVES) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetRealOutputDerivatives(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetRealOutputDerivatives(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_OUTPUT_DERIVATIVES) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2CancelStep(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2CancelStep(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NOT_PENDING) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetIntegerStatus(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetIntegerStatus(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NOT_PENDING) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetStringStatus(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetStringStatus(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NOT_PENDING) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2EnterEventMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2EnterEventMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2NewDiscreteStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2NewDiscreteStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2EnterContinuousTimeMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2EnterContinuousTimeMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2CompletedIntegratorStep(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2CompletedIntegratorStep(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetTime(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2SetTime(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2SetContinuousStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2SetContinuousStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetDerivatives(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetDerivatives(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetEventIndicators(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetEventIndicators(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetContinuousStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetContinuousStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi2GetNominalsOfContinuousStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi2GetNominalsOfContinuousStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }

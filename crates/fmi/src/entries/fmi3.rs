@@ -11,7 +11,7 @@ use crate::instance::{Instance, Made, Start};
 use crate::refusal::Severity;
 
 /// The importer's log.
-type Message = unsafe extern "C" fn(*mut c_void, c_int, *const c_char, *const c_char);
+pub(super) type Message = unsafe extern "C" fn(*mut c_void, c_int, *const c_char, *const c_char);
 
 const NO_SUCH_TYPE: &str = "variables of this type can't be had here: those of linkdyn are of type Float64, and events of type Int32";
 const NO_CLOCKS: &str = "the unit has no clocks";
@@ -28,7 +28,7 @@ const NO_OUTPUT_DERIVATIVES: &str =
 const NO_PARTITIONS: &str = "the unit is one for co-simulation, not for scheduled execution";
 
 #[unsafe(no_mangle)]
-extern "C" fn fmi3GetVersion() -> *const c_char {
+pub(super) extern "C" fn fmi3GetVersion() -> *const c_char {
     c"3.0".as_ptr()
 }
 
@@ -44,7 +44,7 @@ fn say(environment: *mut c_void, message: Option<Message>, said: (Option<Severit
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3InstantiateCoSimulation(
+pub(super) unsafe extern "C" fn fmi3InstantiateCoSimulation(
     _name: *const c_char,
     token: *const c_char,
     resources: *const c_char,
@@ -82,7 +82,7 @@ unsafe extern "C" fn fmi3InstantiateCoSimulation(
 }
 
 #[unsafe(no_mangle)]
-extern "C" fn fmi3InstantiateModelExchange(
+pub(super) extern "C" fn fmi3InstantiateModelExchange(
     _name: *const c_char,
     _token: *const c_char,
     _resources: *const c_char,
@@ -97,7 +97,7 @@ extern "C" fn fmi3InstantiateModelExchange(
 }
 
 #[unsafe(no_mangle)]
-extern "C" fn fmi3InstantiateScheduledExecution(
+pub(super) extern "C" fn fmi3InstantiateScheduledExecution(
     _name: *const c_char,
     _token: *const c_char,
     _resources: *const c_char,
@@ -115,13 +115,13 @@ extern "C" fn fmi3InstantiateScheduledExecution(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3FreeInstance(instance: Handle) {
+pub(super) unsafe extern "C" fn fmi3FreeInstance(instance: Handle) {
     // SAFETY: the caller's.
     unsafe { free(instance) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetDebugLogging(instance: Handle, is_on: u8) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetDebugLogging(instance: Handle, is_on: u8) -> c_int {
     // SAFETY: the caller's.
     unsafe {
         answer(instance, |instance| {
@@ -132,7 +132,7 @@ unsafe extern "C" fn fmi3SetDebugLogging(instance: Handle, is_on: u8) -> c_int {
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3EnterInitializationMode(
+pub(super) unsafe extern "C" fn fmi3EnterInitializationMode(
     instance: Handle,
     _has_tolerance: u8,
     _tolerance: f64,
@@ -151,19 +151,19 @@ unsafe extern "C" fn fmi3EnterInitializationMode(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3ExitInitializationMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3ExitInitializationMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::exit_initialization) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3EnterEventMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3EnterEventMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::enter_event) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3UpdateDiscreteStates(
+pub(super) unsafe extern "C" fn fmi3UpdateDiscreteStates(
     instance: Handle,
     need_update: *mut bool,
     terminate: *mut bool,
@@ -191,25 +191,25 @@ unsafe extern "C" fn fmi3UpdateDiscreteStates(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3EnterStepMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3EnterStepMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::enter_step) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3Terminate(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3Terminate(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::terminate) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3Reset(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3Reset(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { answer(instance, Instance::reset) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetFloat64(
+pub(super) unsafe extern "C" fn fmi3GetFloat64(
     instance: Handle,
     references: *const u32,
     count: usize,
@@ -225,7 +225,7 @@ unsafe extern "C" fn fmi3GetFloat64(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetFloat64(
+pub(super) unsafe extern "C" fn fmi3SetFloat64(
     instance: Handle,
     references: *const u32,
     count: usize,
@@ -241,7 +241,7 @@ unsafe extern "C" fn fmi3SetFloat64(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetInt32(
+pub(super) unsafe extern "C" fn fmi3GetInt32(
     instance: Handle,
     references: *const u32,
     count: usize,
@@ -257,7 +257,7 @@ unsafe extern "C" fn fmi3GetInt32(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetDirectionalDerivative(
+pub(super) unsafe extern "C" fn fmi3GetDirectionalDerivative(
     instance: Handle,
     unknowns: *const u32,
     unknown_count: usize,
@@ -284,7 +284,7 @@ unsafe extern "C" fn fmi3GetDirectionalDerivative(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3DoStep(
+pub(super) unsafe extern "C" fn fmi3DoStep(
     instance: Handle,
     now: f64,
     step: f64,
@@ -311,25 +311,25 @@ unsafe extern "C" fn fmi3DoStep(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetFMUState(instance: Handle, state: *mut Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetFMUState(instance: Handle, state: *mut Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { get_state(instance, state) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetFMUState(instance: Handle, state: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetFMUState(instance: Handle, state: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { set_state(instance, state) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3FreeFMUState(instance: Handle, state: *mut Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3FreeFMUState(instance: Handle, state: *mut Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { free_state(instance, state) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SerializedFMUStateSize(
+pub(super) unsafe extern "C" fn fmi3SerializedFMUStateSize(
     instance: Handle,
     state: Handle,
     size: *mut usize,
@@ -339,7 +339,7 @@ unsafe extern "C" fn fmi3SerializedFMUStateSize(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SerializeFMUState(
+pub(super) unsafe extern "C" fn fmi3SerializeFMUState(
     instance: Handle,
     state: Handle,
     bytes: *mut u8,
@@ -350,7 +350,7 @@ unsafe extern "C" fn fmi3SerializeFMUState(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3DeserializeFMUState(
+pub(super) unsafe extern "C" fn fmi3DeserializeFMUState(
     instance: Handle,
     bytes: *const u8,
     count: usize,
@@ -361,307 +361,307 @@ unsafe extern "C" fn fmi3DeserializeFMUState(
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetFloat32(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetFloat32(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetInt8(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetInt8(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetUInt8(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetUInt8(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetInt16(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetInt16(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetUInt16(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetUInt16(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetUInt32(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetUInt32(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetInt64(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetInt64(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetUInt64(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetUInt64(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetBoolean(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetBoolean(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetString(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetString(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetBinary(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetBinary(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetClock(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetClock(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetFloat32(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetFloat32(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetInt8(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetInt8(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetUInt8(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetUInt8(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetInt16(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetInt16(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetUInt16(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetUInt16(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetInt32(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetInt32(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetUInt32(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetUInt32(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetInt64(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetInt64(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetUInt64(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetUInt64(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetBoolean(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetBoolean(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetString(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetString(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetBinary(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetBinary(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_SUCH_TYPE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetClock(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetClock(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetNumberOfVariableDependencies(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetNumberOfVariableDependencies(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_DEPENDENCIES) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetVariableDependencies(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetVariableDependencies(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_DEPENDENCIES) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetAdjointDerivative(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetAdjointDerivative(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_ADJOINTS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3EnterConfigurationMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3EnterConfigurationMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_STRUCTURE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3ExitConfigurationMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3ExitConfigurationMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_STRUCTURE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetIntervalDecimal(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetIntervalDecimal(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetIntervalFraction(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetIntervalFraction(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetShiftDecimal(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetShiftDecimal(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetShiftFraction(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetShiftFraction(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetIntervalDecimal(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetIntervalDecimal(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetIntervalFraction(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetIntervalFraction(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetShiftDecimal(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetShiftDecimal(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetShiftFraction(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetShiftFraction(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_CLOCKS) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3EvaluateDiscreteStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3EvaluateDiscreteStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_DISCRETE_STATES) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3EnterContinuousTimeMode(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3EnterContinuousTimeMode(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3CompletedIntegratorStep(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3CompletedIntegratorStep(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetTime(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetTime(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3SetContinuousStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3SetContinuousStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetContinuousStateDerivatives(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetContinuousStateDerivatives(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetEventIndicators(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetEventIndicators(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetContinuousStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetContinuousStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetNominalsOfContinuousStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetNominalsOfContinuousStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetNumberOfEventIndicators(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetNumberOfEventIndicators(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetNumberOfContinuousStates(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetNumberOfContinuousStates(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_MODEL_EXCHANGE) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3GetOutputDerivatives(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3GetOutputDerivatives(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_OUTPUT_DERIVATIVES) }
 }
 
 #[unsafe(no_mangle)]
-unsafe extern "C" fn fmi3ActivateModelPartition(instance: Handle) -> c_int {
+pub(super) unsafe extern "C" fn fmi3ActivateModelPartition(instance: Handle) -> c_int {
     // SAFETY: the caller's.
     unsafe { lacking(instance, NO_PARTITIONS) }
 }

@@ -241,3 +241,157 @@ unsafe fn write_state(handle: Handle, state: Handle, bytes: *mut u8, count: usiz
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+    use std::ffi::{CStr, c_char, c_int, c_void};
+    use std::path::Path;
+    use std::ptr;
+
+    use super::{Handle, answer, fmi2, fmi3, handed};
+    use crate::instance::{Instance, Made};
+
+    const MODEL: &str = r#"{ "format": "linkdyn/1", "units": "SI",
+        "bodies": { "ground": { "points": { "O": [0, 0] } }, "disc": { "mass": 1, "inertia": 1, "com": [0, 0], "points": { "O": [0, 0] } } },
+        "joints": { "pin": { "type": "revolute", "between": ["ground.O", "disc.O"] } }, "analysis": { "type": "dynamics", "end": 1, "outputs": 2 } }"#;
+
+    thread_local! { static SAID: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) }; }
+
+    unsafe extern "C" fn message(
+        _: *mut c_void,
+        status: c_int,
+        category: *const c_char,
+        line: *const c_char,
+    ) {
+        // SAFETY: texts of this library.
+        let [category, line] = [category, line].map(|text| {
+            unsafe { CStr::from_ptr(text) }
+                .to_string_lossy()
+                .into_owned()
+        });
+        SAID.with_borrow_mut(|said| said.push(format!("{status} {category}: {line}")));
+    }
+
+    fn said() -> Vec<String> {
+        SAID.with_borrow_mut(std::mem::take)
+    }
+
+    fn instance(name: &str) -> Handle {
+        let folder =
+            std::env::temp_dir().join(format!("linkdyn-fmi-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        std::fs::write(folder.join("model.json"), MODEL).expect("written");
+        let token = linkdyn::fmu::token(MODEL.as_bytes(), b"");
+        let made = Made {
+            token: &token,
+            resources: Path::new(&folder),
+            stops_at_events: false,
+            is_logging: false,
+        };
+        let log = |severity: Option<crate::Severity>, category: &str, line: &str| {
+            let severity = severity.map_or(0, |severity| severity as c_int);
+            SAID.with_borrow_mut(|said| said.push(format!("{severity} {category}: {line}")));
+        };
+        handed(
+            || Instance::new(&made, Box::new(log)),
+            |_, line| panic!("{line}"),
+        )
+    }
+
+    #[test]
+    fn null_is_refused_wherever_it_comes_from() {
+        let none = ptr::null_mut();
+        // SAFETY: the instance is there, all else is null.
+        unsafe {
+            assert_eq!(fmi3::fmi3Reset(none), 3);
+            assert_eq!(fmi2::fmi2Reset(none), 3);
+            fmi3::fmi3FreeInstance(none);
+            let one = instance("null");
+            assert_eq!(
+                fmi3::fmi3GetFloat64(one, ptr::null(), 1, ptr::null_mut(), 1),
+                3
+            );
+            assert_eq!(
+                fmi3::fmi3GetFloat64(one, ptr::null(), 0, ptr::null_mut(), 0),
+                0
+            );
+            assert_eq!(fmi3::fmi3GetFMUState(one, ptr::null_mut()), 3);
+            assert_eq!(fmi3::fmi3SetFMUState(one, none), 3);
+            assert_eq!(fmi3::fmi3FreeFMUState(one, &mut ptr::null_mut()), 0);
+            assert_eq!(
+                said(),
+                [
+                    "3 logStatusError: an array is null",
+                    "3 logStatusError: a pointer is null",
+                    "3 logStatusError: a pointer is null"
+                ]
+            );
+            assert_eq!(fmi3::fmi3GetClock(one), 3);
+            assert_eq!(said(), ["3 logStatusError: the unit has no clocks"]);
+            fmi3::fmi3FreeInstance(one);
+        }
+    }
+
+    #[test]
+    fn an_instance_that_can_not_be_made_is_null() {
+        let nothing = ptr::null_mut::<c_void>();
+        // SAFETY: texts that end with a zero, or null.
+        let made = unsafe {
+            fmi3::fmi3InstantiateCoSimulation(
+                c"one".as_ptr(),
+                c"token".as_ptr(),
+                c"/nowhere".as_ptr(),
+                0,
+                0,
+                0,
+                0,
+                ptr::null(),
+                0,
+                nothing,
+                Some(message),
+                nothing,
+            )
+        };
+        assert!(made.is_null());
+        let name = ptr::null();
+        let other =
+            fmi3::fmi3InstantiateModelExchange(name, name, name, 0, 0, nothing, Some(message));
+        assert!(other.is_null());
+        let said = said();
+        assert!(
+            said[0].starts_with("3 logStatusError: /nowhere"),
+            "{said:?}"
+        );
+        assert_eq!(
+            said[1],
+            "3 logStatusError: the unit is one for co-simulation, not for model exchange"
+        );
+    }
+
+    #[test]
+    fn a_panic_ends_at_the_entry() {
+        // SAFETY: the instance is there.
+        unsafe {
+            let one = instance("panic");
+            let status = answer(one, |_| panic!("on purpose"));
+            assert_eq!(status, 4);
+            assert_eq!(
+                said(),
+                [
+                    "4 logStatusError: this is a fault of linkdyn itself: on purpose (please report it with the unit)"
+                ]
+            );
+            assert_eq!(
+                fmi3::fmi3EnterInitializationMode(one, 0, 0.0, 0.0, 0, 0.0),
+                3
+            );
+            assert_eq!(fmi3::fmi3Reset(one), 3);
+            assert_eq!(
+                said()[1],
+                "3 logStatusError: the instance can only be freed after a fault of linkdyn"
+            );
+            fmi3::fmi3FreeInstance(one);
+        }
+    }
+}

@@ -3,7 +3,7 @@
 //! ```text
 //!                FMI 2.0                                   FMI 3.0
 //! variables      ScalarVariable with Real or Integer       Float64 or Int32
-//! named by       index, from 1                             value reference, from 0
+//! named by       index, from 1, without time               value reference, from 0: the same numbers
 //! unit           that of the variable, in powers of m, kg, s and rad
 //! ```
 
@@ -73,6 +73,10 @@ impl Description<'_> {
         self.experiment(&mut xml);
         xml += "  <ModelVariables>\n";
         for (reference, variable) in self.interface.variables.iter().enumerate() {
+            // Some importers of FMI 2.0 ask for its start value, which it must not have; there it may be left out.
+            if self.version == 2 && variable.role == Role::Time {
+                continue;
+            }
             self.variable(&mut xml, reference, variable);
         }
         xml += "  </ModelVariables>\n";
@@ -201,14 +205,13 @@ impl Description<'_> {
             for (reference, is_direct) in unknowns() {
                 let _ = writeln!(
                     xml,
-                    "      <Unknown index=\"{}\"{}/>",
-                    reference + 1,
+                    "      <Unknown index=\"{reference}\"{}/>",
                     none(is_direct)
                 );
             }
             *xml += "    </Outputs>\n    <InitialUnknowns>\n";
             for (reference, _) in unknowns() {
-                let _ = writeln!(xml, "      <Unknown index=\"{}\"/>", reference + 1);
+                let _ = writeln!(xml, "      <Unknown index=\"{reference}\"/>");
             }
             *xml += "    </InitialUnknowns>\n";
         } else {
