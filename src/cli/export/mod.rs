@@ -19,7 +19,7 @@ pub struct Options {
     #[command(flatten)]
     model: ModelOptions,
     #[command(flatten)]
-    kind: Kind,
+    kind: ExportKind,
     /// File to write
     #[arg(short, value_name = "FILE")]
     output: PathBuf,
@@ -30,7 +30,7 @@ pub struct Options {
 /// What is written: one of these.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
-struct Kind {
+struct ExportKind {
     /// A functional mock-up unit (FMI 3.0 or 2.0) for co-simulation, with all that it needs to run
     #[arg(long)]
     fmu: bool,
@@ -42,6 +42,6 @@ const HELP: &str = "  linkdyn export pendulum --fmu -o pendulum.fmu
 /// Reads the model, and writes what is requested.
 pub fn execute(options: &Options) -> Result<Exit, Failure> {
     // clap has seen to it that there is one.
-    let Kind { fmu: _ } = options.kind;
+    let ExportKind { fmu: _ } = options.kind;
     fmu::export(&options.model, &options.fmu, &options.output)
 }
