@@ -1,69 +1,19 @@
-//! An instance of a unit: which calls are legal when, the values of variables, steps.
-//!
-//! ```text
-//! Instantiated ─► Initialization ─► Step ◄─► Event       Reset leads back to the beginning from everywhere
-//!                                     └────────┴──► Terminated
-//! ```
+//! An instance of a unit: its life, the values of its variables, steps, derivatives, states.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use linkdyn::fmu::{Interface, MODEL, Role, STEERED, token};
 use linkdyn::{Event, Mechanism, Quantity};
 
 use crate::motion::Motion;
+use crate::phase::Phase;
 use crate::refusal::{Refusal, Severity};
 use crate::state::State;
 
 /// How far an importer's clock may be from the instance's, of the step.
 const CLOCK: f64 = 1e-6;
-
-/// Where an instance is in its life.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Phase {
-    /// It was made: parameters can be set.
-    Instantiated,
-    /// The motion is at its beginning, which follows parameters and inputs.
-    Initialization,
-    /// Steps can be taken.
-    Step,
-    /// An event is to be acknowledged.
-    Event,
-    /// The motion is over.
-    Terminated,
-    /// A fault of linkdyn left it in pieces.
-    Broken,
-}
-
-impl Phase {
-    pub(crate) const ALL: [Phase; 6] = [
-        Phase::Instantiated,
-        Phase::Initialization,
-        Phase::Step,
-        Phase::Event,
-        Phase::Terminated,
-        Phase::Broken,
-    ];
-
-    const BEFORE_THE_END: [Phase; 4] = [
-        Phase::Instantiated,
-        Phase::Initialization,
-        Phase::Step,
-        Phase::Event,
-    ];
-
-    fn name(self) -> &'static str {
-        match self {
-            Phase::Instantiated => "before initialization",
-            Phase::Initialization => "in initialization mode",
-            Phase::Step => "in step mode",
-            Phase::Event => "in event mode",
-            Phase::Terminated => "after the end of the simulation",
-            Phase::Broken => "after a fault of linkdyn",
-        }
-    }
-}
 
 /// Where messages go: a category, and a line.
 pub type Log = Box<dyn Fn(Option<Severity>, &str, &str)>;
@@ -290,12 +240,12 @@ impl Instance {
 
     /// Refuses to go on after a fault of linkdyn.
     fn whole(&self) -> Result<(), Refusal> {
-        match self.phase {
-            Phase::Broken => Err(Refusal::new(
+        if self.phase == Phase::Broken {
+            return Err(Refusal::new(
                 "the instance can only be freed after a fault of linkdyn",
-            )),
-            _ => Ok(()),
+            ));
         }
+        Ok(())
     }
 }
 
@@ -555,27 +505,22 @@ impl Instance {
         self.need(&legal, "a directional derivative")?;
         let mut columns = Vec::new();
         for &unknown in unknowns {
-            match self.role(unknown)? {
-                Role::Output { column, .. } => columns.push(column),
-                _ => return Err(self.mistaken(unknown, "no output that has derivatives")),
-            }
+            let Role::Output { column, .. } = self.role(unknown)? else {
+                return Err(self.mistaken(unknown, "no output that has derivatives"));
+            };
+            columns.push(column);
         }
         let mut inputs = Vec::new();
         for (&known, &seed) in knowns.iter().zip(seed) {
-            match self.role(known)? {
-                Role::Input(_) | Role::Acceleration if seed.is_finite() => {
-                    inputs.push((known, self.values[known as usize], seed));
-                }
-                Role::Input(_) | Role::Acceleration => {
-                    return Err(Refusal::new(format!(
-                        "the seed of {} is {seed}",
-                        self.name(known)
-                    )));
-                }
-                _ => {
-                    return Err(self.mistaken(known, "no input, by which outputs have derivatives"));
-                }
+            if !matches!(self.role(known)?, Role::Input(_) | Role::Acceleration) {
+                let what = "no input, by which outputs have derivatives";
+                return Err(self.mistaken(known, what));
             }
+            if !seed.is_finite() {
+                let name = self.name(known);
+                return Err(Refusal::new(format!("the seed of {name} is {seed}")));
+            }
+            inputs.push((known, self.values[known as usize], seed));
         }
         let most = |&(_, value, seed): &(u32, f64, f64)| {
             DIFFERENCE * f64::max(1.0, value.abs()) / seed.abs()
@@ -664,38 +609,4 @@ impl Instance {
     pub fn state_of(&self, bytes: &[u8]) -> Result<State, Refusal> {
         State::read(bytes, &self.token)
     }
-}
-
-/// The folder that a URI such as `file:///tmp/unit/resources` names.
-///
-/// # Errors
-/// Where it is no file.
-pub(crate) fn path_of_uri(uri: &str) -> Result<PathBuf, Refusal> {
-    let path = uri.strip_prefix("file:").ok_or_else(|| {
-        Refusal::new(format!(
-            "{uri:?} is not where resources can be: it must begin with file:"
-        ))
-    })?;
-    // file:///path, file://localhost/path, or file:/path
-    let path = match path.strip_prefix("//") {
-        Some(rest) => rest.find('/').map_or("", |slash| &rest[slash..]),
-        None => path,
-    };
-    let mut bytes = Vec::with_capacity(path.len());
-    let mut rest = path.as_bytes();
-    while let Some((&first, after)) = rest.split_first() {
-        let digits = after.get(..2).filter(|_| first == b'%');
-        let digits = digits.and_then(|digits| std::str::from_utf8(digits).ok());
-        let escaped = digits.and_then(|digits| u8::from_str_radix(digits, 16).ok());
-        bytes.push(escaped.unwrap_or(first));
-        rest = if escaped.is_some() {
-            &after[2..]
-        } else {
-            after
-        };
-    }
-    let path = String::from_utf8_lossy(&bytes).into_owned();
-    // /C:/path
-    let is_drive = cfg!(windows) && path.as_bytes().get(2) == Some(&b':');
-    Ok(PathBuf::from(&path[usize::from(is_drive)..]))
 }

@@ -3,7 +3,7 @@
 //! ```text
 //! importer ──C──► entries     pointers, texts, panics; the only place of `unsafe`
 //!                    │
-//!                 instance    which calls are legal when, values of variables, steps
+//!                 instance    values of variables, steps, states; `phase`: which calls are legal when
 //!                    │
 //!                 motion      the simulation, and what was done to it
 //!                    │
@@ -18,8 +18,10 @@
 mod entries;
 mod instance;
 mod motion;
+mod phase;
 mod refusal;
 mod state;
+mod uri;
 
 pub use instance::{Instance, Log, Made, Start, Stepped};
 pub use refusal::{Refusal, Severity};

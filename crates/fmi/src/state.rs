@@ -7,8 +7,8 @@
 
 use sha2::{Digest, Sha256};
 
-use crate::instance::Phase;
 use crate::motion::{Act, Point};
+use crate::phase::Phase;
 use crate::refusal::Refusal;
 
 const MAGIC: &[u8; 4] = b"LDS1";

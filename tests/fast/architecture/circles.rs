@@ -15,11 +15,12 @@ use super::source::root;
 use super::sources::Sources;
 
 /// Packages by the name that `use` knows them by, and their folders.
-const PACKAGES: [(&str, &str); 12] = [
+const PACKAGES: [(&str, &str); 13] = [
     ("linkdyn", "src"),
     ("linkdyn_ask", "crates/ask/src"),
     ("linkdyn_engine", "crates/engine/src"),
     ("linkdyn_exchange", "crates/exchange/src"),
+    ("linkdyn_fmi", "crates/fmi/src"),
     ("linkdyn_linear", "crates/linear/src"),
     ("linkdyn_model", "crates/model/src"),
     ("linkdyn_optimise", "crates/optimise/src"),

@@ -6,8 +6,9 @@ use super::{
     Handle, answer, array, array_mut, c_text, free, free_state, get_state, handed, lacking, place,
     read_state, set_state, state_size, text, write_state,
 };
-use crate::instance::{Instance, Made, Start, path_of_uri};
+use crate::instance::{Instance, Made, Start};
 use crate::refusal::{Refusal, Severity};
+use crate::uri::path_of_uri;
 
 /// The importer's log: environment, instance, status, category, format of the rest.
 pub(super) type Logger =

@@ -276,9 +276,10 @@ fn attributes(variable: &Variable) -> Attributes {
             causality: "input",
             variability: "continuous",
             initial: None,
-            description: match variable.role {
-                Role::Acceleration => "acceleration of the driver, which goes on from where it is",
-                _ => "input of the model, constant in a step",
+            description: if variable.role == Role::Acceleration {
+                "acceleration of the driver, which goes on from where it is"
+            } else {
+                "input of the model, constant in a step"
             }
             .into(),
         },

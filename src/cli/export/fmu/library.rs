@@ -24,7 +24,7 @@ pub struct Library {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct System {
     processor: Processor,
-    kind: Kind,
+    kind: OperatingSystem,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,7 +34,7 @@ enum Processor {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum OperatingSystem {
     Linux,
     Windows,
     Darwin,
@@ -46,18 +46,21 @@ impl System {
         let short = |at: usize| Some(u16::from_le_bytes(*bytes.get(at..)?.first_chunk()?));
         let long = |at: usize| Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?));
         let (kind, machine) = match bytes.first_chunk()? {
-            b"\x7fELF" => (Kind::Linux, u32::from(short(18)?)),
-            [b'M', b'Z', ..] => (Kind::Windows, u32::from(short(long(0x3c)? as usize + 4)?)),
-            [0xcf, 0xfa, 0xed, 0xfe] => (Kind::Darwin, long(4)?),
+            b"\x7fELF" => (OperatingSystem::Linux, u32::from(short(18)?)),
+            [b'M', b'Z', ..] => (
+                OperatingSystem::Windows,
+                u32::from(short(long(0x3c)? as usize + 4)?),
+            ),
+            [0xcf, 0xfa, 0xed, 0xfe] => (OperatingSystem::Darwin, long(4)?),
             _ => return None,
         };
         let processor = match (kind, machine) {
-            (Kind::Linux, 62) | (Kind::Windows, 0x8664) | (Kind::Darwin, 0x0100_0007) => {
-                Processor::X86
-            }
-            (Kind::Linux, 183) | (Kind::Windows, 0xaa64) | (Kind::Darwin, 0x0100_000c) => {
-                Processor::Arm
-            }
+            (OperatingSystem::Linux, 62)
+            | (OperatingSystem::Windows, 0x8664)
+            | (OperatingSystem::Darwin, 0x0100_0007) => Processor::X86,
+            (OperatingSystem::Linux, 183)
+            | (OperatingSystem::Windows, 0xaa64)
+            | (OperatingSystem::Darwin, 0x0100_000c) => Processor::Arm,
             _ => return None,
         };
         Some(System { processor, kind })
@@ -66,17 +69,17 @@ impl System {
     /// The path of the library in a unit. FMI 2.0 has no folders for ARM: those of FMI 3.0 are used.
     pub fn path(self, version: u8, identifier: &str) -> String {
         let (system, ending, old) = match self.kind {
-            Kind::Linux => ("linux", "so", "linux64"),
-            Kind::Windows => ("windows", "dll", "win64"),
-            Kind::Darwin => ("darwin", "dylib", "darwin64"),
+            OperatingSystem::Linux => ("linux", "so", "linux64"),
+            OperatingSystem::Windows => ("windows", "dll", "win64"),
+            OperatingSystem::Darwin => ("darwin", "dylib", "darwin64"),
         };
         let processor = match self.processor {
             Processor::X86 => "x86_64",
             Processor::Arm => "aarch64",
         };
         // On a Mac there is one folder for both.
-        let is_old =
-            version == 2 && (self.processor == Processor::X86 || self.kind == Kind::Darwin);
+        let is_old = version == 2
+            && (self.processor == Processor::X86 || self.kind == OperatingSystem::Darwin);
         let folder = if is_old {
             old.to_owned()
         } else {
