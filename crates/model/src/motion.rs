@@ -32,6 +32,8 @@ pub enum Motion {
         /// What is between and beyond them.
         #[serde(default)]
         interpolation: Interpolation,
+        /// The rates at the points, one each: cubics with these slopes, whatever the interpolation.
+        velocities: Option<Vec<f64>>,
     },
     /// start + velocity·t.
     ConstantVelocity {

@@ -10,6 +10,7 @@
 //! quadratic      one of them
 //! differences    derivatives
 //! curve          distance of points from a curve
+//! fastest        the fastest law of motion along a path, under limits
 //! start          global search over the box, then a local one; many starts are many of them
 //! ```
 //!
@@ -35,6 +36,7 @@
 pub mod constrained;
 pub mod curve;
 pub mod differences;
+pub mod fastest;
 pub mod least_squares;
 pub mod outcome;
 pub mod quadratic;

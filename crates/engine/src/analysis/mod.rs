@@ -1,6 +1,7 @@
 //! The analyses: from a model to a trajectory and a report.
 
 mod acting;
+mod along;
 mod applied;
 pub mod assembly;
 mod belts;
@@ -48,6 +49,7 @@ mod transmission;
 mod unbounded;
 pub mod words;
 
+pub use along::{Along, Rates};
 pub use bent::{BentAxis, bent_axes};
 pub use check::{Check, Lack, check};
 pub use control::{Control, Stop};

@@ -21,6 +21,11 @@ impl Pieces {
     /// Cubics through points with increasing times that turn where the points do, straight beyond the ends.
     pub fn monotone(points: &[[f64; 2]]) -> Self {
         let slopes = monotone_slopes(points);
+        Pieces::sloped(points, &slopes)
+    }
+
+    /// Cubics through points with increasing times that have these slopes there, straight beyond the ends.
+    pub fn sloped(points: &[[f64; 2]], slopes: &[f64]) -> Self {
         let ends = slopes.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         Pieces::through(points, ends, false)
     }

@@ -39,8 +39,12 @@ fn motion(rules: &mut Rules<'_>, motion: &Motion, of: Of, path: &str) {
         Motion::Table {
             points,
             interpolation,
+            velocities,
         } => {
             increasing(rules, points, path);
+            if let Some(velocities) = velocities {
+                sloped(rules, [points.len(), velocities.len()], *interpolation, path);
+            }
             match (interpolation, of) {
                 (Interpolation::Linear, Of::Driver) => {
                     let message = "a linear table has corners, which no driver can follow";
@@ -94,6 +98,25 @@ fn increasing(rules: &mut Rules<'_>, points: &[[f64; 2]], path: &str) {
             rules.complain(place(index + 1), message, "the times of a table increase");
             return;
         }
+    }
+}
+
+/// Complains about rates that are not one for each point, and beside a law of what is between the points.
+fn sloped(
+    rules: &mut Rules<'_>,
+    [points, velocities]: [usize; 2],
+    interpolation: Interpolation,
+    path: &str,
+) {
+    if points != velocities {
+        let message = format!("there are {velocities} velocities for {points} points");
+        let hint = "one for each point, in the same order";
+        rules.complain(format!("{path}.velocities"), message, hint);
+    }
+    if interpolation != Interpolation::Natural {
+        let message = "\"velocities\" say what is between the points";
+        let hint = "leave \"interpolation\" out, or \"velocities\"";
+        rules.complain(format!("{path}.interpolation"), message, hint);
     }
 }
 

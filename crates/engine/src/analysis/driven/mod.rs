@@ -26,6 +26,7 @@ use linkdyn_output::{Column, Report, Status, Stopwatch, Trajectory};
 use outputs::Outputs;
 pub use passages::{passages, range};
 pub use paths::path;
+pub(super) use words::describe;
 
 /// The settings of a prescribed motion.
 #[derive(Debug, Clone)]

@@ -80,7 +80,7 @@ fn dead_centre_text(system: &System, path: &Path, s: f64, time: f64) -> String {
 }
 
 /// Why an instant has no solution.
-pub(super) fn describe(system: &System, failure: Failure) -> String {
+pub(in crate::analysis) fn describe(system: &System, failure: Failure) -> String {
     match failure {
         Failure::Locked { force } => locked(system, force),
         Failure::Singular => "the constraints are singular there".into(),

@@ -26,7 +26,13 @@ pub fn law(motion: &Motion) -> Law {
         },
         Motion::Table {
             points,
+            velocities: Some(slopes),
+            ..
+        } => Law::Pieces(Pieces::sloped(points, slopes)),
+        Motion::Table {
+            points,
             interpolation,
+            velocities: None,
         } => table(points, *interpolation),
         Motion::ConstantVelocity { start, velocity } => Law::Polynomial(vec![*start, *velocity]),
         Motion::ConstantAcceleration {
