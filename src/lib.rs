@@ -87,6 +87,7 @@ pub mod ask {
     pub use linkdyn_ask::compare::{Compare, Compared};
     pub use linkdyn_ask::modes::{Modes, SmallMotions};
     pub use linkdyn_ask::optimise::{Optimise, Optimised};
+    pub use linkdyn_ask::path_time::{FastestMotion, PathTime};
     pub use linkdyn_ask::study::{Studied, Study, Varied};
     pub use linkdyn_engine::analysis::Check as Findings;
     pub use linkdyn_study::design::Method;

@@ -4,8 +4,8 @@ use linkdyn_ask::run::{limited, warned};
 use linkdyn_engine::analysis::Control;
 
 use crate::ask::{
-    Accuracy, Allocate, Allocation, Check, Compare, Compared, Deviations, Diagnosis, Modes,
-    Optimise, Optimised, Question, SmallMotions, Studied, Study,
+    Accuracy, Allocate, Allocation, Check, Compare, Compared, Deviations, Diagnosis, FastestMotion,
+    Modes, Optimise, Optimised, PathTime, Question, SmallMotions, Studied, Study,
 };
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -186,6 +186,33 @@ impl Mechanism {
     /// # Ok::<(), linkdyn::Error>(())
     /// ```
     pub fn optimise(&self, question: &Optimise) -> Result<Optimised, Error> {
+        self.ask(question, &Control::default())
+    }
+
+    /// The fastest motion of a driver along a stroke, under limits of effort, speed and joint forces.
+    ///
+    /// # Errors
+    /// [`Error::Model`] or [`Error::Question`] where the question does not fit the model, [`Error::Failed`] where no motion keeps the
+    /// limits.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::PathTime;
+    /// use linkdyn::prelude::*;
+    ///
+    /// let press = Mechanism::bundled("slider-crank")?;
+    /// let found = press.path_time(&PathTime {
+    ///     from: Some("0 deg".into()),
+    ///     to: Some("90 deg".into()),
+    ///     acceleration: Some("8 rad/s^2".into()),
+    ///     ..PathTime::default()
+    /// })?;
+    /// // At 8 rad/s² up to the middle, and back to rest: T = 2 √(Δ/a).
+    /// let time = 2.0 * (90_f64.to_radians() / 8.0).sqrt();
+    /// assert!((found.time() / time - 1.0).abs() < 1e-9);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn path_time(&self, question: &PathTime) -> Result<FastestMotion, Error> {
         self.ask(question, &Control::default())
     }
 }

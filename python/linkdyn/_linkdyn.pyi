@@ -26,6 +26,7 @@ __all__ = [
     "compare",
     "modes",
     "optimise",
+    "path_time",
     "quantity",
 ]
 __version__: str
@@ -190,6 +191,18 @@ def optimise(
     seed: int | None,
     threads: int,
 ) -> _Stopped[tuple[_Told, str | None, Mechanism | None]]: ...
+def path_time(
+    model: Mechanism,
+    driver: str | None,
+    start: str | None,
+    end: str | None,
+    limits: list[str],
+    speed: str | None,
+    acceleration: str | None,
+    start_speed: str | None,
+    end_speed: str | None,
+    intervals: int | None,
+) -> _Stopped[tuple[_Told, Mechanism]]: ...
 def quantity(text: str) -> tuple[float, str]: ...
 def bundled() -> list[str]: ...
 def _panic(is_watched: bool) -> None: ...

@@ -390,6 +390,41 @@ class Model:
             raise SolveError(failure or "nothing was found")
         return read(told), Model(best, self._label, best.to_json().encode())
 
+    def path_time(
+        self,
+        limits: Mapping[str, str | tuple[str, str]] | None = None,
+        *,
+        driver: str | None = None,
+        start: str | None = None,
+        end: str | None = None,
+        speed: str | None = None,
+        acceleration: str | None = None,
+        start_speed: str | None = None,
+        end_speed: str | None = None,
+        intervals: int | None = None,
+    ) -> tuple[Answer, Model]:
+        """The fastest motion of a driver along a stroke, as in ``path-time.json``, and the model with this motion, ready to run.
+
+        :param limits: the limit of each column to both sides, or its lower and upper end, as in
+            ``{"driver.motor.effort": ("-2 N*m", "5 N*m"), "joint.*": "300 N"}``.
+        :param start: where the stroke begins; where the driver's own motion does.
+        :param end: where it ends; where the driver's own motion does.
+        :raises SolveError: where no motion keeps the limits.
+
+        >>> import linkdyn
+        >>> told, fastest = linkdyn.load("slider-crank").path_time(start="0 deg", end="90 deg", acceleration="8 rad/s^2")
+        >>> round(told["time"], 6)
+        0.886227
+        """
+        ends = {name: (value,) if isinstance(value, str) else value for name, value in (limits or {}).items()}
+        asked = [f"{name}={':'.join(value)}" for name, value in ends.items()]
+        told, best = whole(
+            _linkdyn.path_time(
+                self._core, driver, start, end, asked, speed, acceleration, start_speed, end_speed, intervals
+            )
+        )
+        return read(told), Model(best, self._label, best.to_json().encode())
+
     def study(
         self,
         vary: Mapping[str, Values] | None = None,

@@ -41,7 +41,7 @@ mod _linkdyn {
     use super::mechanism::Mechanism;
     #[pymodule_export]
     use super::questions::{
-        Variants, accuracy, allocate, bundled, check, compare, modes, optimise, quantity,
+        Variants, accuracy, allocate, bundled, check, compare, modes, optimise, path_time, quantity,
     };
     #[pymodule_export]
     use super::run::{Column, Run};

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use linkdyn::ask::{
-    Accuracy, Allocate, Check, Compare, Levels, Method, Modes, Optimise, Study, Varied,
+    Accuracy, Allocate, Check, Compare, Levels, Method, Modes, Optimise, PathTime, Study, Varied,
 };
 use linkdyn::{Control, Error, bridge};
 use pyo3::exceptions::PyValueError;
@@ -172,6 +172,43 @@ pub fn optimise(
         let best = found.model()?.map(bridge::mechanism).transpose()?;
         let told = (bridge::json(&found), bridge::words(found.text()), None);
         Ok((told, found.failure(), best.map(Mechanism::of)))
+    })
+}
+
+/// The fastest motion along a stroke, and the model with it.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)]
+pub fn path_time(
+    py: Python<'_>,
+    model: &Mechanism,
+    driver: Option<String>,
+    start: Option<String>,
+    end: Option<String>,
+    limits: Vec<String>,
+    speed: Option<String>,
+    acceleration: Option<String>,
+    start_speed: Option<String>,
+    end_speed: Option<String>,
+    intervals: Option<u64>,
+) -> PyResult<Stopped<(Told, Mechanism)>> {
+    let mechanism = model.own();
+    let question = PathTime {
+        driver,
+        from: start,
+        to: end,
+        limits,
+        speed,
+        acceleration,
+        start_speed,
+        end_speed,
+        intervals,
+    };
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&question, control)?;
+        let best = bridge::mechanism(found.model().clone())?;
+        let page = found.html().ok();
+        let told = (bridge::json(&found), bridge::words(found.text()), page);
+        Ok((told, Mechanism::of(best)))
     })
 }
 

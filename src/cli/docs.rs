@@ -20,6 +20,7 @@ recipes     points from a drawing, a cylinder, a motor, a suspension, pandas
 accuracy    what tolerances and clearances do, and how tight they must be
 studies     many variants of a model: sweeps, samples of tolerances, clusters
 optimise    parameters that meet a goal, are best, or let a point take a path
+path-time   the fastest motion along a stroke, under limits of effort, speed and pin forces
 python      runs, variants, studies and notebooks in Python
 cluster     studies on many machines: Ray, Slurm, object stores, what it costs
 models      the bundled models, with a picture of each
@@ -41,6 +42,7 @@ fn text(page: &str) -> Option<&'static str> {
         "accuracy" => include_str!("../../docs/accuracy.md"),
         "studies" => include_str!("../../docs/studies.md"),
         "optimise" => include_str!("../../docs/optimise.md"),
+        "path-time" => include_str!("../../docs/path-time.md"),
         "python" => include_str!("../../docs/python.md"),
         "cluster" => include_str!("../../docs/cluster.md"),
         "models" => include_str!("../../docs/models.md"),

@@ -37,6 +37,7 @@ mod modes;
 mod new;
 mod open;
 mod optimise;
+mod path_time;
 mod plot;
 mod progress;
 mod replaced;
@@ -115,6 +116,8 @@ enum Command {
     Study(Box<study::Options>),
     /// Find values of parameters: goals, least or greatest objectives under constraints, paths of points
     Optimise(Box<optimise::Options>),
+    /// The fastest motion along a stroke, under limits of effort, speed and joint forces
+    PathTime(Box<path_time::Options>),
     /// Draw result columns as a figure
     Plot(Box<plot::Options>),
     /// Draw the mechanism in motion, as a film or as poses
@@ -184,6 +187,7 @@ impl Command {
             Command::Modes(options) => modes::execute(&options),
             Command::Study(options) => study::execute(&options),
             Command::Optimise(options) => optimise::execute(&options),
+            Command::PathTime(options) => path_time::execute(&options),
             Command::Plot(options) => plot::execute(&options),
             Command::Animate(options) => animate::execute(&options),
             Command::Validate(options) => validate::execute(&options),

@@ -9,11 +9,12 @@ use super::streams::remark;
 /// The title stands within so many bytes.
 const HEAD: u64 = 4096;
 /// What each command's page is called, and the command.
-const PAGES: [(&str, &str); 4] = [
+const PAGES: [(&str, &str); 5] = [
     ("<title>linkdyn report</title>", "run"),
     ("<title>linkdyn accuracy</title>", "accuracy"),
     ("<title>linkdyn study</title>", "study"),
     ("<title>linkdyn optimum</title>", "optimise"),
+    ("<title>linkdyn path-time: ", "path-time"),
 ];
 
 /// Says on standard error that `command` replaces or removes (`does`) the page of another one.

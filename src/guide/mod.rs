@@ -8,6 +8,7 @@
 //! | [`accuracy`]    | what tolerances and clearances do                             |
 //! | [`studies`]     | many variants: sweeps, samples, clusters                      |
 //! | [`optimise`]    | parameters that meet a goal, are best, or draw a path         |
+//! | [`path_time`]   | the fastest motion along a stroke                             |
 //! | [`python`]      | runs, variants, studies and notebooks in Python               |
 //! | [`cluster`]     | studies on many machines, and what it costs                   |
 //! | [`editor`]      | a mechanism that moves while you draw it, in a browser        |
@@ -46,6 +47,10 @@ pub mod messages {}
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/optimise.md")]
 pub mod optimise {}
+
+#[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/path-time.md")]
+pub mod path_time {}
 
 #[doc = include_str!("links.md")]
 #[doc = include_str!("../../docs/performance.md")]

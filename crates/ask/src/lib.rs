@@ -17,6 +17,7 @@ pub mod hand;
 pub mod modes;
 pub mod near;
 pub mod optimise;
+pub mod path_time;
 pub mod run;
 pub mod shape;
 pub mod study;

@@ -26,6 +26,7 @@
 //! | `mechanism` | shape and poses → scene, or parts that a page moves             |
 //! | `report`    | shape, summary and results → `report.html`                      |
 //! | `accuracy_page` | levels, contributions, worst configurations → `report.html` of accuracy |
+//! | `charts_page` | figures of curves → a page                                  |
 //! | `compare_page` | several runs over each other → `compare.html`                |
 //! | `optimise_page` | before and after, history, limits → `report.html` of optimise |
 //! | `study_page` | what was varied, what came of it, motions of variants → `report.html` of study |
@@ -42,6 +43,7 @@
 
 pub mod accuracy_page;
 pub mod chart;
+pub mod charts_page;
 pub mod compare_page;
 mod cut;
 pub mod diagnosis;

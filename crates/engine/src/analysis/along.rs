@@ -14,7 +14,9 @@ use super::in_line::{singular_text, stressed_rows};
 use super::question::Kind;
 use super::run::Prepared;
 use super::sample::Sample;
-use crate::mechanism::continuation::{End, Parameter, Path, SingularKind, SingularPosition, Source};
+use crate::mechanism::continuation::{
+    End, Parameter, Path, SingularKind, SingularPosition, Source,
+};
 use crate::mechanism::driven::Driven;
 use crate::system::{Inputs, System};
 use linkdyn_model::error::Complaint;
@@ -144,7 +146,9 @@ impl<'s> Along<'s> {
     fn place(&self, s: f64) -> String {
         let value = match self.path.parameter {
             Parameter::DriverValue => s,
-            Parameter::Time | Parameter::Coordinate => self.system.drivers[self.driver].law.value(s),
+            Parameter::Time | Parameter::Coordinate => {
+                self.system.drivers[self.driver].law.value(s)
+            }
         };
         self.system.driver_value(self.driver, value)
     }
@@ -167,7 +171,12 @@ impl<'s> Along<'s> {
             Parameter::DriverValue => value,
             Parameter::Time | Parameter::Coordinate => part,
         };
-        let fault = |why: String| format!("no solution at {}: {why}", system.driver_value(self.driver, value));
+        let fault = |why: String| {
+            format!(
+                "no solution at {}: {why}",
+                system.driver_value(self.driver, value)
+            )
+        };
         let (driven, inputs, sample) = (&mut self.driven, &mut self.inputs, &mut self.sample);
         let Sample { q, v, a, .. } = &mut *sample;
         match self.path.guess(s, q, v, a) {

@@ -43,7 +43,12 @@ fn motion(rules: &mut Rules<'_>, motion: &Motion, of: Of, path: &str) {
         } => {
             increasing(rules, points, path);
             if let Some(velocities) = velocities {
-                sloped(rules, [points.len(), velocities.len()], *interpolation, path);
+                sloped(
+                    rules,
+                    [points.len(), velocities.len()],
+                    *interpolation,
+                    path,
+                );
             }
             match (interpolation, of) {
                 (Interpolation::Linear, Of::Driver) => {
