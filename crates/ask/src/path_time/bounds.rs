@@ -150,7 +150,7 @@ fn found(pattern: &str, columns: &[Column]) -> Vec<(String, Of)> {
 fn range(text: &str, column: &str, ends: &str, file: &ModelFile) -> Result<[f64; 2], Unanswered> {
     let ends: Vec<&str> = ends.split(':').collect();
     let both: [Value; 2] = match ends[..] {
-        [most] => [Value::Null, number(most)],
+        [most] => [json!(0), number(most)],
         [lower, upper] => [number(lower), number(upper)],
         _ => {
             return Err(bad(

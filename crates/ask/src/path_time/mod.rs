@@ -185,3 +185,6 @@ impl FastestMotion {
         self.law.found.time
     }
 }
+
+#[cfg(test)]
+mod tests;
