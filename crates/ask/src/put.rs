@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use linkdyn_model::error::{Complaint, Complaints};
+use serde_json::{Value, json};
 
 use crate::model_file::{ModelFile, Text};
 use crate::unanswered::Unanswered;
@@ -23,6 +24,15 @@ impl Put {
             set: format!("{path}={value}"),
             labels: vec![(path, label)],
         }
+    }
+}
+
+/// A number, or text with a unit.
+pub(crate) fn number(text: &str) -> Value {
+    let text = text.trim();
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() => json!(number),
+        Ok(_) | Err(_) => json!(text),
     }
 }
 

@@ -222,9 +222,9 @@ impl Problem<'_> {
         })
     }
 
-    /// By how much of their scales all limits have to be moved out until some law keeps them, and the limit that hinders most;
-    /// `None` if that can't be found.
-    pub fn lacks(&self) -> Option<(f64, usize)> {
+    /// By how much of their scales all limits have to be moved out until some law keeps them, and how much each of them hinders,
+    /// together 1; `None` if that can't be found.
+    pub fn lacks(&self) -> Option<(f64, Vec<f64>)> {
         lacking::least(&Scaled::new(self))
     }
 }

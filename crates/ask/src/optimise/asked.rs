@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use super::Optimise;
-use crate::put::{Put, read};
+use crate::put::{Put, number, read};
 use crate::{ModelFile, Text, Unanswered};
 
 fn bad(text: impl Into<String>) -> Unanswered {
@@ -148,13 +148,4 @@ fn vary(text: &str) -> Result<Put, Unanswered> {
     };
     let path = format!("optimise.design.{name}");
     Ok(Put::new(path, value, format!("--vary {text}")))
-}
-
-/// A number, or text with a unit.
-fn number(text: &str) -> Value {
-    let text = text.trim();
-    match text.parse::<f64>() {
-        Ok(number) if number.is_finite() => json!(number),
-        Ok(_) | Err(_) => json!(text),
-    }
 }

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::PathTime;
 use crate::near::did_you_mean;
-use crate::put::{Put, read};
+use crate::put::{Put, number, read};
 use crate::{ModelFile, Unanswered};
 
 /// Fewest and most intervals.
@@ -211,14 +211,5 @@ impl PathTime {
                  --set \"drivers.{other}.motion={{\\\"type\\\":\\\"constant_velocity\\\",\\\"velocity\\\":0}}\""
             ))),
         }
-    }
-}
-
-/// A number, or text with a unit.
-pub(super) fn number(text: &str) -> Value {
-    let text = text.trim();
-    match text.parse::<f64>() {
-        Ok(number) if number.is_finite() => json!(number),
-        Ok(_) | Err(_) => json!(text),
     }
 }

@@ -3,9 +3,8 @@
 use linkdyn_output::{Channel, Column, JointQuantity, matches};
 use serde_json::{Value, json};
 
-use super::asked::number;
 use crate::near::did_you_mean;
-use crate::put::{Put, read};
+use crate::put::{Put, number, read};
 use crate::{ModelFile, Unanswered};
 
 /// What a limit is of.
@@ -164,15 +163,22 @@ fn range(text: &str, column: &str, ends: &str, file: &ModelFile) -> Result<[f64;
         set: format!("responses.{OWN}={response}"),
         labels: vec![(format!("responses.{OWN}"), format!("--limit {text:?}"))],
     };
-    let read = read(&file.text, &file.sets, &[put])?;
+    if both[0] == json!(0) && ends[0].trim().starts_with('-') {
+        return Err(bad(
+            text,
+            "a limit to both sides is positive; one with two ends is LOWER:UPPER",
+        ));
+    }
+    let read = read(&file.text, &file.sets, &[put]).map_err(|mut found| {
+        for complaint in &mut found.0 {
+            complaint.message = complaint.message.replace(", as the response is", "");
+        }
+        found
+    })?;
     let limits = read.model().responses.get(OWN).and_then(|own| own.limits);
     let [lower, upper] = limits.ok_or_else(|| bad(text, "it can't be read"))?;
     match ends.len() {
-        1 if upper > 0.0 => Ok([-upper, upper]),
-        1 => Err(bad(
-            text,
-            "a limit to both sides is positive; write LOWER:UPPER for another",
-        )),
+        1 => Ok([-upper, upper]),
         _ if lower == 0.0 && upper == 0.0 => Err(bad(text, "between these ends nothing can move")),
         _ => Ok([lower, upper]),
     }

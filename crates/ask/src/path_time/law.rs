@@ -158,7 +158,7 @@ impl Law {
                 limits: &list,
             };
             let Some(found) = problem.solve() else {
-                return Err(none(stroke, bounds, &own, &problem));
+                return Err(none(bounds, &own, &problem));
             };
             iterations += found.iterations;
             let more = between(&nodes, &found, bounds, all);
@@ -344,21 +344,18 @@ fn nearest_end(bound: &Bound, value: f64) -> f64 {
 }
 
 /// Why there is no law.
-fn none(
-    stroke: &Stroke,
-    bounds: &[Bound],
-    own: &[(usize, Limit)],
-    problem: &Problem,
-) -> Unanswered {
+fn none(bounds: &[Bound], own: &[(usize, Limit)], problem: &Problem) -> Unanswered {
     match problem.lacks() {
-        Some((wider, worst)) if wider > MISSED => {
-            let (bound, limit) = &own[worst];
-            let part = (limit.interval as f64 + limit.part) / stroke.intervals as f64;
+        Some((wider, weights)) if wider > MISSED => {
+            let mut sums = vec![0.0; bounds.len()];
+            for ((bound, _), weight) in own.iter().zip(weights) {
+                sums[*bound] += weight;
+            }
+            let most = bounds.iter().zip(sums).max_by(|a, b| a.1.total_cmp(&b.1));
             Unanswered::Failed(format!(
-                "no motion along the stroke keeps all limits: they would have to be wider by {} %; what hinders most is {} at {} % of the stroke",
+                "no motion along the stroke keeps all limits: they would have to be wider by {} %; what hinders most is {}",
                 crate::text::number(100.0 * wider, 3),
-                bounds[*bound].name,
-                crate::text::number(100.0 * part, 3),
+                most.map_or("", |(bound, _)| &bound.name),
             ))
         }
         Some(_) | None => Unanswered::Failed(

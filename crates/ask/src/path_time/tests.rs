@@ -174,13 +174,13 @@ fn another_program_with_other_equations_finds_the_same_times() {
     let run = run_of(&slider, 3333);
     let effort = largest(run["driver.motor.effort"].iter().copied());
     assert!(
-        effort < 1.2 * (1.0 + 1e-6) && effort > 1.2 * (1.0 - 1e-6),
+        effort < 1.2 * (1.0 + 1e-6) && effort > 1.2 * (1.0 - 1e-3),
         "{effort}"
     );
     let force = run["joint.small.fx"].iter().zip(&run["joint.small.fy"]);
     let force = largest(force.map(|(x, y)| x.hypot(*y)));
     assert!(
-        force < 22.0 * (1.0 + 1e-6) && force > 22.0 * (1.0 - 1e-6),
+        force < 22.0 * (1.0 + 1e-6) && force > 22.0 * (1.0 - 1e-3),
         "{force}"
     );
     let speed = largest(run["crank.omega"].iter().copied());
@@ -217,7 +217,7 @@ fn velocities_and_accelerations_of_columns_may_be_limited() {
 }
 
 #[test]
-fn more_intervals_are_hardly_faster() {
+fn more_intervals_are_a_little_faster() {
     let time = |intervals: &str| {
         let options = [
             ("from", "20 deg"),
@@ -230,84 +230,180 @@ fn more_intervals_are_hardly_faster() {
     };
     let [coarse, usual, fine] = ["50", "400", "1600"].map(time);
     assert!(coarse > usual && usual > fine, "{coarse} {usual} {fine}");
-    assert!(usual / fine - 1.0 < 1e-5, "{usual} {fine}");
+    // The acceleration of an interval is kept by all of it, so that the loss goes with its length.
+    let order = (coarse - usual) / (usual - fine);
+    assert!((8.0..11.0).contains(&order), "{order}");
+    assert!(usual / fine - 1.0 < 5e-3, "{usual} {fine}");
 }
 
 /// Models, sets, options, and all that is said.
-const REFUSED: &[(&str, &[&str], &[(&str, &str)], &str)] = &[
-    (WHEEL, &[], &[("from", "0"), ("to", "90")], ""),
+type Refusal = (
+    &'static str,
+    &'static [&'static str],
+    &'static [(&'static str, &'static str)],
+    &'static str,
+);
+
+const UNBALANCED: &[&str] = &["gravity=[0,-10]", "bodies.wheel.com=[0.1,0]"];
+
+const REFUSED: &[Refusal] = &[
+    (
+        WHEEL,
+        &[],
+        &[("from", "0"), ("to", "90")],
+        "nothing is limited: say --limit \"driver.motor.effort=5 N*m\", --speed or --acceleration",
+    ),
     (
         WHEEL,
         &[],
         &[("driver", "moter"), ("acceleration", "1")],
-        "",
+        "--driver \"moter\": no driver \"moter\" (did you mean \"motor\"?)",
     ),
-    (WHEEL, &["drivers={}"], &[("acceleration", "1")], ""),
+    (
+        WHEEL,
+        &["drivers={}"],
+        &[("acceleration", "1")],
+        "the model has no driver, whose stroke the motion would go along; add one under \"drivers\"",
+    ),
     (
         WHEEL,
         &[],
         &[("from", "0"), ("to", "0 rad"), ("acceleration", "1")],
-        "",
+        "the stroke has no length: its ends are the same; say --from and --to, as in --from \"0 deg\" --to \"90 deg\"",
     ),
-    (WHEEL, &["analysis=null"], &[("acceleration", "1")], ""),
-    (WHEEL, &[], &[("from", "5 mm"), ("acceleration", "1")], ""),
-    (WHEEL, &[], &[("speed", "-5 rad/s")], ""),
-    (WHEEL, &[], &[("acceleration", "5 rad/s")], ""),
+    (
+        WHEEL,
+        &["analysis=null"],
+        &[("acceleration", "1")],
+        "where does the stroke end? The model's analysis has no \"end\": say --to, as in --to \"90 deg\"",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("from", "5 mm"), ("acceleration", "1")],
+        "--from \"5 mm\": \"mm\" is not a unit of angle (such as \"rad\")",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("speed", "-5 rad/s")],
+        "--speed \"-5 rad/s\": must be greater than 0",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("acceleration", "5 rad/s")],
+        "--acceleration \"5 rad/s\": \"rad/s\" is not a unit of angular acceleration (such as \"rad/s^2\")",
+    ),
     (
         WHEEL,
         &[],
         &[("acceleration", "5"), ("start-speed", "-2")],
-        "",
+        "--start-speed \"-2\": a speed along the stroke is not negative",
     ),
     (
         WHEEL,
         &[],
         &[("acceleration", "5"), ("speed", "5"), ("end-speed", "7")],
-        "",
+        "the speed at an end of the stroke is more than --speed",
     ),
-    (WHEEL, &[], &[("acceleration", "5"), ("intervals", "1")], ""),
-    (WHEEL, &[], &[("limit", "driver.motor.effort 5 N*m")], ""),
-    (WHEEL, &[], &[("limit", "driver.moter.effort=5 N*m")], ""),
-    (WHEEL, &[], &[("limit", "driver.motor.effort=5 N")], ""),
-    (WHEEL, &[], &[("limit", "driver.motor.effort=-5 N*m")], ""),
-    (WHEEL, &[], &[("limit", "driver.motor.effort=1:2:3")], ""),
+    (
+        WHEEL,
+        &[],
+        &[("acceleration", "5"), ("intervals", "1")],
+        "--intervals 1: 2 to 20000 are possible",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("limit", "driver.motor.effort 5 N*m")],
+        "--limit \"driver.motor.effort 5 N*m\": write it as in \"driver.motor.effort=5 N*m\", or with both ends, as in \"driver.motor.effort=-2 N*m:5 N*m\"",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("limit", "driver.moter.effort=5 N*m")],
+        "--limit \"driver.moter.effort=5 N*m\": the results have no column \"driver.moter.effort\" (did you mean \"driver.motor.effort\"?)",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("limit", "driver.motor.effort=5 N")],
+        "--limit \"driver.motor.effort=5 N\": this is a force [N], where a torque [N*m] is wanted",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("limit", "driver.motor.effort=-5 N*m")],
+        "--limit \"driver.motor.effort=-5 N*m\": a limit to both sides is positive; one with two ends is LOWER:UPPER",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("limit", "driver.motor.effort=1:2:3")],
+        "--limit \"driver.motor.effort=1:2:3\": a limit is one value, or a lower and an upper one, as in \"-2 N*m:5 N*m\"",
+    ),
     (
         WHEEL,
         &[],
         &[("limit", "driver.motor.effort=5 N*m:2 N*m")],
-        "",
+        "--limit \"driver.motor.effort=5 N*m:2 N*m\": the limits are the wrong way round (the lower limit comes first, as in [79, 81])",
     ),
-    (WHEEL, &[], &[("limit", "joint.o=-5 N:5 N")], ""),
-    (WHEEL, &[], &[("limit", "wheel.*=5")], ""),
-    (WHEEL, &[], &[("limit", "wheel.angle=90")], ""),
-    (WHEEL, &[], &[("limit", "joint.o=5 N")], ""),
     (
         WHEEL,
-        &["gravity=[0,-10]", "bodies.wheel.com=[0.1,0]"],
+        &[],
+        &[("limit", "joint.o=-2 N:5 N")],
+        "--limit \"joint.o=-2 N:5 N\": the size of a force has one limit, and no lower one",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("limit", "wheel.*=5")],
+        "--limit \"wheel.*=5\": wheel.x and wheel.angle have different units; limit each of them",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("limit", "wheel.angle=90")],
+        "at rest at 114.592° wheel.angle is 2 rad, beyond its limit of 1.571 rad: the motion can't have an end there",
+    ),
+    (
+        WHEEL,
+        &[],
+        &[("limit", "joint.o=5 N")],
+        "the limits do not bound the speed, so there is no fastest motion; add --speed, or a limit on an effort of what has mass",
+    ),
+    (
+        WHEEL,
+        UNBALANCED,
         &[("to", "60 deg"), ("limit", "driver.motor.effort=1 N*m")],
-        "",
+        "at rest at 0° driver.motor.effort is 2 N·m, beyond its limit of 1 N·m: the motion can't have an end there",
     ),
     (
         WHEEL,
-        &["gravity=[0,-10]", "bodies.wheel.com=[0.1,0]"],
+        UNBALANCED,
         &[
             ("from", "-90 deg"),
             ("to", "90 deg"),
             ("limit", "driver.motor.effort=1 N*m"),
         ],
-        "",
+        "no motion along the stroke keeps all limits: they would have to be wider by 45.4 %; what hinders most is driver.motor.effort",
     ),
     (
         WHEEL,
-        &[r#"joints.o.friction={"law":"coulomb","coefficient":0.2,"radius":0.02}"#],
+        &[
+            "gravity=[0,-10]",
+            "joints.o.pin_radius=0.02",
+            r#"joints.o.friction={"law":"coulomb","coefficient":0.2,"threshold_velocity":0.001}"#,
+        ],
         &[("limit", "driver.motor.effort=1 N*m")],
-        "",
+        NOT_STRAIGHT,
     ),
     (
         WHEEL,
         &[r#"forces.d={"type":"torsion_spring","between":["ground","wheel"],"damping":0.1}"#],
         &[("limit", "driver.motor.effort=1 N*m")],
-        "",
+        NOT_STRAIGHT,
     ),
     (
         WHEEL,
@@ -315,7 +411,7 @@ const REFUSED: &[(&str, &[&str], &[(&str, &str)], &str)] = &[
             r#"forces.d={"type":"torque","body":"wheel","value":{"type":"harmonic","amplitude":1,"frequency":2}}"#,
         ],
         &[("limit", "driver.motor.effort=1 N*m")],
-        "",
+        "driver.motor.effort changes with time at the same place: forces that depend on time can't be limited along a stroke",
     ),
     (
         SLIDER_CRANK,
@@ -323,21 +419,37 @@ const REFUSED: &[(&str, &[&str], &[(&str, &str)], &str)] = &[
             r#"drivers={"push":{"type":"translation","joint":"guide","motion":{"type":"constant_velocity","start":0.246,"velocity":0.1}}}"#,
         ],
         &[("from", "0.246"), ("to", "0.3"), ("speed", "1")],
-        "",
+        "dead centre: driver \"push\" can't go on beyond 0.25 m, where \"crank\" and \"rod\" are in line. End the stroke before it, or drive another body",
     ),
     (
         FOUR_BAR,
-        &["bodies.coupler.points.B=[0.22,0]"],
+        &[
+            "bodies.coupler.points.B=[0.32,0]",
+            "bodies.rocker.points.B=[0.1,0]",
+            "bodies.coupler.pose.angle=0",
+            "bodies.rocker.pose.angle=0.52",
+        ],
         &[("to", "200 deg"), ("speed", "1")],
         "",
     ),
     (
         SLIDER_CRANK,
-        &["joints.small.clearance=1e-4"],
+        &[r#"joints.small.clearance={"model":"massless_link","radius":1e-4}"#],
         &[("to", "60 deg"), ("speed", "1")],
-        "",
+        "joints: joints with clearance leave more free than the drivers prescribe (remove their \"clearance\")",
+    ),
+    (
+        SLIDER_CRANK,
+        &[
+            r#"drivers.push={"type":"translation","joint":"guide","motion":{"type":"constant_velocity","start":0.246,"velocity":0.1}}"#,
+        ],
+        &[("driver", "motor"), ("to", "60 deg"), ("speed", "1")],
+        "driver \"push\" moves, too, by its own motion over time, which is not known before the answer; let it stand still, as in --set \"drivers.push.motion={\\\"type\\\":\\\"constant_velocity\\\",\\\"velocity\\\":0}\"",
     ),
 ];
+
+const NOT_STRAIGHT: &str = "driver.motor.effort does not follow acceleration and square of the speed in straight lines, as with friction, damping, or a formula with \
+                            velocities: its fastest motion is no convex problem. Remove what depends on velocities, or the limit";
 
 #[test]
 fn what_can_not_be_asked_is_said_to_the_letter() {

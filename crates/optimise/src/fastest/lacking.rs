@@ -33,8 +33,8 @@ impl Cones {
     }
 }
 
-/// w, and the row that counts most.
-pub(super) fn least(scaled: &Scaled) -> Option<(f64, usize)> {
+/// w, and how much each row counts.
+pub(super) fn least(scaled: &Scaled) -> Option<(f64, Vec<f64>)> {
     let inner = scaled.spans.len() - 1;
     let term = |k: usize, u: &Term, sign: f64| {
         let mut constant = sign * u[0];
@@ -93,7 +93,6 @@ pub(super) fn least(scaled: &Scaled) -> Option<(f64, usize)> {
     ) {
         return None;
     }
-    let weights = place.iter().map(|row| found.z[*row]).enumerate();
-    let most = weights.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some((found.x[inner], most.0))
+    let weights = place.iter().map(|row| found.z[*row]).collect();
+    Some((found.x[inner], weights))
 }

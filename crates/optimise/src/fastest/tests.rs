@@ -263,7 +263,11 @@ fn what_no_law_keeps_is_said_by_how_much() {
         limits: &limits,
     };
     assert_eq!(problem.solve(), None);
-    let (wider, _) = problem.lacks().unwrap();
+    let (wider, weights) = problem.lacks().unwrap();
+    assert!(
+        (weights.iter().sum::<f64>() - 1.0).abs() < 1e-6,
+        "{weights:?}"
+    );
     assert!((wider - 0.5).abs() < 1e-6, "{wider}");
     // Nothing bounds the speed.
     let limits = [below(0, 0.0, Affine::default(), 1.0)];
