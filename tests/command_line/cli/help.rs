@@ -2,7 +2,7 @@
 
 use super::*;
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "accuracy",
     "allocate",
     "new",
@@ -13,6 +13,7 @@ const COMMANDS: [&str; 18] = [
     "modes",
     "study",
     "optimise",
+    "path-time",
     "plot",
     "animate",
     "validate",
