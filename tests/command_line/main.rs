@@ -25,6 +25,7 @@ mod fuzz_finds;
 mod live;
 mod mistakes;
 mod optimise;
+mod path_time;
 mod peaks;
 mod report;
 mod study;

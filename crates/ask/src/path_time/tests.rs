@@ -430,13 +430,13 @@ const REFUSED: &[Refusal] = &[
             "bodies.rocker.pose.angle=0.52",
         ],
         &[("to", "200 deg"), ("speed", "1")],
-        "",
+        "change point at 3.14159 rad (180°), where \"crank\", \"coupler\" and \"rocker\" are in line: there joint forces have no bound or no value. End the stroke before it",
     ),
     (
         SLIDER_CRANK,
         &[r#"joints.small.clearance={"model":"massless_link","radius":1e-4}"#],
         &[("to", "60 deg"), ("speed", "1")],
-        "joints: joints with clearance leave more free than the drivers prescribe (remove their \"clearance\")",
+        "line 7, column 13: joints: joints with clearance leave more free than the drivers prescribe (remove their \"clearance\")",
     ),
     (
         SLIDER_CRANK,

@@ -56,6 +56,28 @@ pub const CASES: &[Case] = &[
         ],
     },
     Case {
+        what: "a velocity without its point",
+        edits: &[(
+            TABLE,
+            r#"{ "type": "table", "points": [[0, 0], [1, 5]], "velocities": [0, 1, 2] }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 24, column 125: drivers.pusher.motion.velocities: there are 3 velocities for 2 points (one for each point, in the same order)"#,
+        ],
+    },
+    Case {
+        what: "velocities beside an interpolation",
+        edits: &[(
+            TABLE,
+            r#"{ "type": "table", "points": [[0, 0], [1, 5]], "velocities": [0, 1], "interpolation": "monotone" }"#,
+        )],
+        sets: &[],
+        complaints: &[
+            r#"line 24, column 150: drivers.pusher.motion.interpolation: "monotone": "velocities" say what is between the points (leave "interpolation" out, or "velocities")"#,
+        ],
+    },
+    Case {
         what: "ramps that overlap",
         edits: &[(
             TABLE,
