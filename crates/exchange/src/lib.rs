@@ -7,8 +7,8 @@
 mod draft;
 #[cfg(test)]
 mod drawing_tests;
-mod form;
 pub mod export;
+mod form;
 pub mod import;
 #[cfg(test)]
 mod robot_tests;
