@@ -28,7 +28,7 @@ class LinearSystem:
     >>> pendulum = linkdyn.load("pendulum").linearise(inputs="rod.torque", outputs="rod.angle")
     >>> pendulum.A.shape, pendulum.B.shape
     ((2, 2), (2, 1))
-    >>> bool(abs(pendulum.frequency_response(0.0)[0, 0, 0] - pendulum.gain[0, 0]) < 1e-12)
+    >>> bool(abs(pendulum.frequency_response(0.0)[0, 0] - pendulum.gain[0, 0]) < 1e-12)
     True
     """
 

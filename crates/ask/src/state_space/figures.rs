@@ -19,6 +19,9 @@ const NYQUIST: [&str; 4] = [
     "nyquist-4.svg",
 ];
 
+/// Figures with the names of their files, and what they leave out.
+pub type Figures = (Vec<(&'static str, String)>, Vec<String>);
+
 impl Linearisation {
     /// Files that figures may have.
     pub fn figure_files() -> impl Iterator<Item = &'static str> {
@@ -29,7 +32,7 @@ impl Linearisation {
     ///
     /// # Errors
     /// Why one can't be drawn.
-    pub fn figures(&self) -> Result<(Vec<(&'static str, String)>, Vec<String>), Fault> {
+    pub fn figures(&self) -> Result<Figures, Fault> {
         let Some(first) = self
             .systems
             .first()

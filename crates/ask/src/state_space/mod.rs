@@ -3,6 +3,8 @@
 mod figures;
 mod text;
 
+pub use figures::Figures;
+
 use std::f64::consts::TAU;
 
 use linkdyn_engine::analysis::{
