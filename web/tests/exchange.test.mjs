@@ -20,13 +20,12 @@ test("files of other programs are opened as models, and what they lack is listed
   await it.page.setInputFiles("#chosen", join(directory, "engine.json"));
   await it.idle();
   assert.equal((await model(it)).name, "Simple four-stroke engine");
-  assert.deepEqual((await lacks(it)).at(-1), "file: a unit of length: m is taken; --length mm says another");
+  assert.deepEqual((await lacks(it))[0], "file: a unit of length: m is taken; --length mm says another");
   await it.page.click("#lacks button");
   await it.page.setInputFiles("#chosen", join(directory, "clamp.csv"));
   await it.idle();
   assert.deepEqual(Object.keys((await model(it)).bodies), ["ground", "handle", "link"]);
   assert.deepEqual(await lacks(it), []);
-  assert.equal(await it.editor(() => window.editor.files.name), "clamp.json");
   const before = await it.text();
   await it.page.setInputFiles("#chosen", join(directory, "bad.csv"));
   await it.idle();

@@ -11,7 +11,7 @@
 //! Distances are the dimensions, and places the drawing. Where they agree the points of all bodies are the places, digit for digit;
 //! where they do not, a body keeps its distances and its direction in the drawing, and the assembly brings the bodies together.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 
 use indexmap::IndexMap;
 use linkdyn_model::GROUND;
@@ -96,6 +96,9 @@ struct Linkage {
     motors: Vec<(usize, f64)>,
     /// Steps until an arc ends.
     until: Option<f64>,
+    /// Nodes whose places do not agree with distances, and by how much at most.
+    misfits: BTreeSet<usize>,
+    worst: f64,
     left_out: Vec<LeftOut>,
 }
 
@@ -183,18 +186,9 @@ impl Linkage {
             } else {
                 [1.0, 0.0]
             };
-            let (name, other) = (&self.nodes.get_index(a), self.nodes.get_index(b));
-            let names = [
-                name.map_or("", |node| node.0),
-                other.map_or("", |node| node.0),
-            ];
-            self.left_out.push(LeftOut {
-                place: format!("joint {}", names[1]),
-                what: format!(
-                    "its place: it is drawn {drawn} from {}, and its distance is {length}",
-                    names[0]
-                ),
-            });
+            let off = (drawn - length).abs();
+            self.misfits.insert(b);
+            self.worst = self.worst.max(off);
             [from[0] + length * along[0], from[1] + length * along[1]]
         };
         self.link(None, vec![(a, from), (b, end)])
@@ -289,6 +283,21 @@ impl Linkage {
             }),
         }
         let names: Vec<String> = self.nodes.keys().cloned().collect();
+        if !self.misfits.is_empty() {
+            let misfits: Vec<&str> = self
+                .misfits
+                .iter()
+                .map(|&node| names[node].as_str())
+                .collect();
+            let what = format!(
+                "where they are drawn: their distances differ by {} at most, and hold",
+                self.worst
+            );
+            self.left_out.push(LeftOut {
+                place: format!("joints {}", misfits.join(", ")),
+                what,
+            });
+        }
         let places: Vec<At> = self.nodes.values().copied().collect();
         for (node, name) in names
             .iter()
