@@ -435,7 +435,8 @@ impl Instance {
             )));
         }
         let slack = CLOCK * step;
-        if !((now - time).abs() <= slack) {
+        let is_there = (now - time).abs() <= slack;
+        if !is_there {
             return Err(Refusal::new(format!(
                 "a step from t = {now} s, and the instance is at t = {time} s"
             )));

@@ -243,6 +243,12 @@ fn a_state_leads_to_the_same_bits() {
         let expected = walk(&mut one, 9, 0.05);
         shake(&mut one, 1.0);
         one.set_state(&state).expect("it goes back");
+        let same = one.state().expect("a state");
+        assert_eq!(
+            one.bytes(&same).expect("bytes"),
+            bytes,
+            "{name}: it is the state"
+        );
         assert_eq!(walk(&mut one, 9, 0.05), expected, "{name}: in memory");
         let again = one.state_of(&bytes).expect("a state");
         assert_eq!(one.bytes(&again).expect("bytes"), bytes);

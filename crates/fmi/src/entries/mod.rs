@@ -245,11 +245,11 @@ unsafe fn write_state(handle: Handle, state: Handle, bytes: *mut u8, count: usiz
 #[cfg(test)]
 mod tests {
     use std::cell::RefCell;
-    use std::ffi::{CStr, c_char, c_int, c_void};
+    use std::ffi::{c_char, c_int, c_void};
     use std::path::Path;
     use std::ptr;
 
-    use super::{Handle, answer, fmi2, fmi3, handed};
+    use super::{Handle, answer, fmi2, fmi3, handed, text};
     use crate::instance::{Instance, Made};
 
     const MODEL: &str = r#"{ "format": "linkdyn/1", "units": "SI",
@@ -265,11 +265,7 @@ mod tests {
         line: *const c_char,
     ) {
         // SAFETY: texts of this library.
-        let [category, line] = [category, line].map(|text| {
-            unsafe { CStr::from_ptr(text) }
-                .to_string_lossy()
-                .into_owned()
-        });
+        let [category, line] = unsafe { [text(category), text(line)] };
         SAID.with_borrow_mut(|said| said.push(format!("{status} {category}: {line}")));
     }
 
