@@ -149,6 +149,32 @@ C [\"ground.C\",\"link_3.C\"]
     assert_eq!(read.draft.drivers["motor"]["body"], "link");
 }
 
+/// A circle on two straights that cross joins them; one where two ends meet already leaves a third straight alone, as at a dead centre.
+#[test]
+fn pins_may_be_in_the_middle_of_bars() {
+    let read = of_dxf(&[
+        "LINE 8 0 10 0 20 0 11 100 21 100",
+        "LINE 8 0 10 0 20 100 11 100 21 0",
+        "CIRCLE 8 0 10 50 20 50 40 3",
+        "CIRCLE 8 ground 10 0 20 0 40 3",
+        "LINE 8 0 10 0 20 100 11 -50 21 100",
+        "LINE 8 0 10 -60 20 100 11 20 21 100",
+        "CIRCLE 8 0 10 0 20 100 40 3",
+        "CIRCLE 8 0 10 -50 20 100 40 3",
+    ]);
+    let wanted = "ground {\"B\":[0,0]}
+link {\"A\":[50,50],\"B\":[0,0],\"E\":[100,100]}
+link_2 {\"A\":[50,50],\"C\":[0,100],\"F\":[100,0]}
+link_3 {\"C\":[0,100],\"D\":[-50,100]}
+link_4 {\"D\":[-50,100],\"G\":[-60,100],\"H\":[20,100]}
+A [\"link.A\",\"link_2.A\"]
+B [\"ground.B\",\"link.B\"]
+C [\"link_2.C\",\"link_3.C\"]
+D [\"link_3.D\",\"link_4.D\"]
+";
+    assert_eq!(told(&read), wanted);
+}
+
 #[test]
 fn what_was_moved_or_is_missing_is_said() {
     let read = of_dxf(&[
