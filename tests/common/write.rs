@@ -247,9 +247,14 @@ impl Scale {
             Motion::Table {
                 points,
                 interpolation,
+                velocities,
             } => {
-                json!({ "type": "table", "points": points.iter().map(|[t, f]| [*t, f * unit]).collect::<Vec<_>>(),
-                    "interpolation": interpolation })
+                let mut table = json!({ "type": "table", "points": points.iter().map(|[t, f]| [*t, f * unit]).collect::<Vec<_>>(),
+                    "interpolation": interpolation });
+                if let Some(rates) = velocities {
+                    table["velocities"] = rates.iter().map(|rate| rate * unit).collect();
+                }
+                table
             }
             Motion::Cycloidal(_)
             | Motion::Polynomial345(_)
