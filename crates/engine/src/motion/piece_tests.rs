@@ -241,3 +241,26 @@ fn monotone_tables_are_those_of_another_program() {
         assert_close(&monotone, t, wanted);
     }
 }
+
+#[test]
+fn a_table_with_velocities_has_the_constant_accelerations_that_it_was_made_of() {
+    let accelerations = [3.0, -1.0, 0.0, -2.5];
+    let (mut points, mut slopes) = (vec![[0.5, 2.0]], vec![0.25]);
+    for (k, a) in accelerations.iter().enumerate() {
+        let ([t, f], slope, h) = (points[k], slopes[k], 0.1 + 0.05 * k as f64);
+        points.push([t + h, f + slope * h + 0.5 * a * h * h]);
+        slopes.push(slope + a * h);
+    }
+    let law = Pieces::sloped(&points, &slopes);
+    for (k, a) in accelerations.iter().enumerate() {
+        let h = points[k + 1][0] - points[k][0];
+        for part in [0.0, 0.3, 0.9] {
+            let [value, slope, bend] = law.jet(points[k][0] + part * h);
+            let [t, own] = [part * h, slopes[k]];
+            assert!((value - points[k][1] - own * t - 0.5 * a * t * t).abs() < 1e-14);
+            assert!((slope - own - a * t).abs() < 1e-13);
+            assert!((bend - a).abs() < 1e-11, "{k} {part}: {bend}");
+        }
+        assert_eq!(law.next_break(points[k][0]), Some(points[k + 1][0]));
+    }
+}
