@@ -4,10 +4,32 @@ use linkdyn_engine::system::compile::law;
 use linkdyn_model::{Checked, Driver, Motion};
 use serde_json::{Value, json};
 
-use super::PathTime;
 use crate::near::did_you_mean;
 use crate::put::{Put, number, read};
 use crate::{ModelFile, Unanswered};
+
+/// Asks for the fastest motion along a stroke. Texts are numbers in the units of the file, or bring their own.
+#[derive(Debug, Clone, Default)]
+pub struct PathTime {
+    /// The driver that moves; there may be one alone.
+    pub driver: Option<String>,
+    /// Where the stroke begins; where the driver's own motion does.
+    pub from: Option<String>,
+    /// Where it ends; where the driver's own motion does.
+    pub to: Option<String>,
+    /// Limits of columns, `driver.motor.effort=5 N*m` or `joint.*=300 N`.
+    pub limits: Vec<String>,
+    /// The driver's greatest speed.
+    pub speed: Option<String>,
+    /// Its greatest acceleration.
+    pub acceleration: Option<String>,
+    /// Its speed at the start; none: at rest.
+    pub start_speed: Option<String>,
+    /// Its speed at the end; none: at rest.
+    pub end_speed: Option<String>,
+    /// Intervals of constant acceleration; 400 where nothing is said.
+    pub intervals: Option<u64>,
+}
 
 /// Fewest and most intervals.
 const INTERVALS: std::ops::RangeInclusive<u64> = 2..=20_000;

@@ -18,38 +18,16 @@ mod page;
 mod text;
 mod written;
 
-use linkdyn_engine::analysis::{Along, Control, Prepared, Stop};
+use linkdyn_engine::analysis::{AlongStroke, Control, Prepared, Stop};
 use linkdyn_output::{Column, Status, Stopwatch, Trajectory};
 
 use crate::put::{Put, read};
 use crate::{ModelFile, Question, Unanswered};
+pub use asked::PathTime;
 use asked::{Stroke, steady};
 use bounds::{Bound, Of, bounds};
 use coefficients::Coefficients;
 use law::{Law, places, stands};
-
-/// Asks for the fastest motion along a stroke. Texts are numbers in the units of the file, or bring their own.
-#[derive(Debug, Clone, Default)]
-pub struct PathTime {
-    /// The driver that moves; there may be one alone.
-    pub driver: Option<String>,
-    /// Where the stroke begins; where the driver's own motion does.
-    pub from: Option<String>,
-    /// Where it ends; where the driver's own motion does.
-    pub to: Option<String>,
-    /// Limits of columns, `driver.motor.effort=5 N*m` or `joint.*=300 N`.
-    pub limits: Vec<String>,
-    /// The driver's greatest speed.
-    pub speed: Option<String>,
-    /// Its greatest acceleration.
-    pub acceleration: Option<String>,
-    /// Its speed at the start; none: at rest.
-    pub start_speed: Option<String>,
-    /// Its speed at the end; none: at rest.
-    pub end_speed: Option<String>,
-    /// Intervals of constant acceleration; 400 where nothing is said.
-    pub intervals: Option<u64>,
-}
 
 /// The fastest motion.
 pub struct FastestMotion {
@@ -96,7 +74,8 @@ impl Question for PathTime {
             .map(|own| &own.name)
             .position(|own| *own == stroke.driver);
         let clock = Stopwatch::start();
-        let mut along = Along::new(&prepared, driver.unwrap_or_default(), control).map_err(stop)?;
+        let mut along =
+            AlongStroke::new(&prepared, driver.unwrap_or_default(), control).map_err(stop)?;
         let bounds = self.bounds(&stroke, unit, along.columns(), &moving)?;
         let places = places(stroke.intervals);
         let coefficients = Coefficients::new(&mut along, &stroke, &bounds, places)?;

@@ -47,7 +47,7 @@ pub(super) fn read(name: &str, text: &str, options: &Options) -> Result<Imported
     let Value::Object(file) = value else {
         return Err(unknown("this is a list, and a linkage is an object"));
     };
-    let mut linkage = Linkage::default();
+    let mut linkage = DrawnLinkage::default();
     if file.contains_key("nodes") {
         graph(&mut linkage, &file)?;
     } else if file.contains_key("links") {
@@ -83,7 +83,7 @@ fn unknown(cause: &str) -> Refused {
 
 /// Points, what is rigid between them, and what moves them.
 #[derive(Default)]
-struct Linkage {
+struct DrawnLinkage {
     /// Names and places.
     nodes: IndexMap<String, At>,
     /// Whether a node is fixed.
@@ -121,7 +121,7 @@ enum Line {
     Of(usize, [usize; 2]),
 }
 
-impl Linkage {
+impl DrawnLinkage {
     fn node(&mut self, name: &str, at: At, is_fixed: bool) -> Result<usize, Refused> {
         if self.nodes.len() >= MOST_PARTS {
             let cause = format!("more than {MOST_PARTS} joints are too many for a planar linkage");
@@ -511,7 +511,7 @@ impl<'v> Record<'v> {
 }
 
 /// Versions 0.7 to 0.9: each joint hangs on others.
-fn dyads(linkage: &mut Linkage, file: &Map<String, Value>) -> Result<(), Refused> {
+fn dyads(linkage: &mut DrawnLinkage, file: &Map<String, Value>) -> Result<(), Refused> {
     let records = Record::all(file, "joints", "joint")?;
     for record in &records {
         let at = [record.needed("x")?, record.needed("y")?];
@@ -551,7 +551,7 @@ fn dyads(linkage: &mut Linkage, file: &Map<String, Value>) -> Result<(), Refused
 
 /// Builds a joint of a dyad.
 fn dyad(
-    linkage: &mut Linkage,
+    linkage: &mut DrawnLinkage,
     node: usize,
     record: &Record<'_>,
     parents: &[Option<usize>],
@@ -602,7 +602,11 @@ fn dyad(
 }
 
 /// The joint on which another hangs: by its name, or a fixed one that stands in its place.
-fn parent(linkage: &mut Linkage, record: &Record<'_>, key: &str) -> Result<Option<usize>, Refused> {
+fn parent(
+    linkage: &mut DrawnLinkage,
+    record: &Record<'_>,
+    key: &str,
+) -> Result<Option<usize>, Refused> {
     let members = match record.members.get(key) {
         None | Some(Value::Null) => return Ok(None),
         Some(Value::Object(members)) => members,
@@ -640,7 +644,7 @@ fn parent(linkage: &mut Linkage, record: &Record<'_>, key: &str) -> Result<Optio
 }
 
 /// From version 0.8: joints that have places, and links of them.
-fn mechanism(linkage: &mut Linkage, file: &Map<String, Value>) -> Result<(), Refused> {
+fn mechanism(linkage: &mut DrawnLinkage, file: &Map<String, Value>) -> Result<(), Refused> {
     let joints = Record::all(file, "joints", "joint")?;
     let links = Record::all(file, "links", "link")?;
     let is = |record: &Record<'_>, kind: &str| {
@@ -670,7 +674,7 @@ fn mechanism(linkage: &mut Linkage, file: &Map<String, Value>) -> Result<(), Ref
             linkage.slides.push(Guide { node, line });
         }
     }
-    let find = |linkage: &Linkage, record: &Record<'_>, name: &str| {
+    let find = |linkage: &DrawnLinkage, record: &Record<'_>, name: &str| {
         linkage.nodes.get_index_of(name).ok_or_else(|| {
             record.refused(
                 format!("there is no joint {name:?}"),
@@ -740,7 +744,7 @@ fn mechanism(linkage: &mut Linkage, file: &Map<String, Value>) -> Result<(), Ref
 }
 
 /// Version 0.7: a graph whose nodes have places.
-fn graph(linkage: &mut Linkage, file: &Map<String, Value>) -> Result<(), Refused> {
+fn graph(linkage: &mut DrawnLinkage, file: &Map<String, Value>) -> Result<(), Refused> {
     let nodes = Record::all(file, "nodes", "node")?;
     if nodes
         .iter()
@@ -760,7 +764,7 @@ fn graph(linkage: &mut Linkage, file: &Map<String, Value>) -> Result<(), Refused
         }
         linkage.node(node.text("id")?, node.position()?, role == Some("GROUND"))?;
     }
-    let find = |linkage: &Linkage, record: &Record<'_>, name: &str| {
+    let find = |linkage: &DrawnLinkage, record: &Record<'_>, name: &str| {
         linkage.nodes.get_index_of(name).ok_or_else(|| {
             record.refused(
                 format!("there is no node {name:?}"),

@@ -166,15 +166,15 @@ pub(super) struct Cord {
 }
 
 /// The plane of motion.
-struct Plane {
+struct MotionPlane {
     x: Vector3<f64>,
     y: Vector3<f64>,
     normal: Vector3<f64>,
 }
 
-impl Plane {
+impl MotionPlane {
     /// Right-handed, with y upwards or ahead, and x to the right.
-    fn across(normal: Vector3<f64>) -> Plane {
+    fn across(normal: Vector3<f64>) -> MotionPlane {
         let snapped = normal.map(|part| if part.abs() < PARALLEL { 0.0 } else { part });
         let normal = snapped.normalize();
         let up = if normal.z.abs() < 0.9 {
@@ -186,14 +186,14 @@ impl Plane {
         let x = y.cross(&normal);
         let is_left = (0..3).map(|k| x[k]).find(|part| part.abs() > 1e-9) < Some(0.0);
         let sign = if is_left { -1.0 } else { 1.0 };
-        Plane {
+        MotionPlane {
             x: x * sign,
             y,
             normal: normal * sign,
         }
     }
 
-    fn of(scene: &Scene) -> Result<Plane, Refused> {
+    fn of(scene: &Scene) -> Result<MotionPlane, Refused> {
         let (mut hinge, mut slides) = (None, Vec::new());
         for hold in &scene.holds {
             let axis = match hold.kind {
@@ -235,7 +235,7 @@ impl Plane {
                 "a mechanism has joints",
             ));
         };
-        let plane = Plane::across(normal.normalize());
+        let plane = MotionPlane::across(normal.normalize());
         for (hold, axis) in slides {
             if axis.dot(&plane.normal).abs() > PARALLEL {
                 let cause = format!(
@@ -297,7 +297,7 @@ fn significant(value: f64) -> f64 {
 
 /// The model as it comes to be.
 struct Writer<'a> {
-    plane: Plane,
+    plane: MotionPlane,
     draft: Draft,
     remarks: &'a mut Remarks,
     /// The body that each is part of.
@@ -332,7 +332,7 @@ impl Scene {
                 format!("{MOST_PARTS} at most"),
             ));
         }
-        let plane = Plane::of(&self)?;
+        let plane = MotionPlane::of(&self)?;
         let whole = self.weld();
         let places = self.holds.iter().flat_map(Hold::places);
         let places = places.chain(
