@@ -190,7 +190,7 @@ pub fn path_time(
     start_speed: Option<String>,
     end_speed: Option<String>,
     intervals: Option<u64>,
-) -> PyResult<Stopped<(Told, Mechanism)>> {
+) -> PyResult<Stopped<Option<(Told, Mechanism)>>> {
     let mechanism = model.own();
     let question = PathTime {
         driver,

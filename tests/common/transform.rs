@@ -82,12 +82,16 @@ fn affine(motion: &Motion, factor: f64, offset: f64) -> Motion {
         Motion::Table {
             points,
             interpolation,
+            velocities,
         } => Motion::Table {
             points: points
                 .iter()
                 .map(|[t, value]| [*t, value * factor + offset])
                 .collect(),
             interpolation: *interpolation,
+            velocities: velocities
+                .as_ref()
+                .map(|all| all.iter().map(|slope| slope * factor).collect()),
         },
         Motion::Cycloidal(one) => Motion::Cycloidal(rise(one, factor, offset)),
         Motion::Polynomial345(one) => Motion::Polynomial345(rise(one, factor, offset)),

@@ -247,9 +247,15 @@ impl Scale {
             Motion::Table {
                 points,
                 interpolation,
+                velocities,
             } => {
-                json!({ "type": "table", "points": points.iter().map(|[t, f]| [*t, f * unit]).collect::<Vec<_>>(),
-                    "interpolation": interpolation })
+                let mut table = json!({ "type": "table", "points": points.iter().map(|[t, f]| [*t, f * unit]).collect::<Vec<_>>(),
+                    "interpolation": interpolation });
+                if let Some(all) = velocities {
+                    table["velocities"] =
+                        json!(all.iter().map(|slope| slope * unit).collect::<Vec<_>>());
+                }
+                table
             }
             Motion::Cycloidal(_)
             | Motion::Polynomial345(_)
