@@ -293,7 +293,7 @@ fn speed() {
         let rounds = 20;
         let found = (0..rounds)
             .map(|_| problem.solve().unwrap())
-            .last()
+            .next_back()
             .unwrap();
         let each = clock.elapsed() / rounds;
         eprintln!(
