@@ -229,7 +229,7 @@ fn what_can_not_be_a_unit_is_refused() {
             "--library lib.so: there is a library for its system already",
         ),
         (
-            "pendulun --fmu -o a.fmu",
+            "pendulun --fmu --library lib.so -o a.fmu",
             "pendulun: no such file, and no bundled model of that name (did you mean \"pendulum\"?)",
         ),
         (
