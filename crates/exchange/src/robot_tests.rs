@@ -388,6 +388,7 @@ fn joints_that_follow_others_are_gears() {
         <joint name=\"ab\" joint1=\"b\" joint2=\"a\" polycoef=\"0 2 0 0 0\"/>
         <joint name=\"bc\" joint1=\"c\" joint2=\"b\" polycoef=\"0.5 -3 0 0 0\"/>
         <joint name=\"ar\" joint1=\"r\" joint2=\"a\" polycoef=\"0 0.1 0 0 0\"/>
+        <joint name=\"cb\" joint1=\"b\" joint2=\"c\" polycoef=\"0 2 0 0 0\"/>
         <joint name=\"curve\" joint1=\"r\" joint2=\"a\" polycoef=\"0 0 1 0 0\"/>
         </equality></mujoco>";
     let found = imported(Format::Mjcf, wheels);
@@ -402,12 +403,17 @@ fn joints_that_follow_others_are_gears() {
         joint("bc"),
         r#"{"type":"gear","between":["ground.b","c.c"],"ratio":3,"carrier":"b","angle":-0.5}"#
     );
+    // On b the ground, which follows, turns as the coordinate of b, and c against its own.
+    assert_eq!(
+        joint("cb"),
+        r#"{"type":"gear","between":["c.c","ground.b"],"ratio":-2,"carrier":"b"}"#
+    );
     assert_eq!(
         joint("ar"),
         r#"{"type":"rack","between":["a.a","r.r"],"axis":[1,0],"radius":0.1}"#
     );
     let left_out = found.left_out.last().map(ToString::to_string);
-    let expected = "line 10, joint curve: an equality of joints: only a linear one of two joints, each alone in its body, is a gear";
+    let expected = "line 11, joint curve: an equality of joints: only a linear one of two joints, each alone in its body, is a gear";
     assert_eq!(left_out.as_deref(), Some(expected));
     let urdf = FIVE_BAR.replace(
         "<origin xyz=\"0.2 0 0.05\" rpy=\"0 0 0.9\"/>",
