@@ -1,6 +1,6 @@
 //! What the limited numbers are of speed and acceleration, along the stroke.
 
-use linkdyn_engine::analysis::{Along, Rates};
+use linkdyn_engine::analysis::{AlongStroke, Rates};
 use linkdyn_optimise::fastest::Affine;
 
 use super::asked::Stroke;
@@ -36,13 +36,10 @@ pub(super) struct Coefficients {
     width: usize,
 }
 
-/// Numbers of an instant, component by component.
-type Row = Vec<f64>;
-
 impl Coefficients {
     /// Of all bounds at evenly spaced places, both ends among them.
     pub fn new(
-        along: &mut Along,
+        along: &mut AlongStroke,
         stroke: &Stroke,
         bounds: &[Bound],
         places: usize,
@@ -82,7 +79,7 @@ impl Coefficients {
     }
 
     /// Coefficients from an instant at rest, one with a speed, one with an acceleration.
-    fn push(&mut self, bounds: &[Bound], rows: &[Row], [v, a]: [f64; 2]) {
+    fn push(&mut self, bounds: &[Bound], rows: &[Vec<f64>], [v, a]: [f64; 2]) {
         for (k, bound) in bounds.iter().enumerate() {
             let components = self.first[k]..self.first.get(k + 1).copied().unwrap_or(self.width);
             let of = components.map(|column| match (bound.of, self.courses[k]) {
@@ -225,7 +222,7 @@ impl Coefficients {
 }
 
 struct Probe<'a, 's> {
-    along: &'a mut Along<'s>,
+    along: &'a mut AlongStroke<'s>,
     direction: f64,
     columns: Vec<Option<usize>>,
     rows: Vec<f64>,
@@ -233,7 +230,12 @@ struct Probe<'a, 's> {
 
 impl Probe<'_, '_> {
     /// The numbers at a part of the stroke, for speeds and accelerations along it.
-    fn at(&mut self, part: f64, instants: &[[f64; 2]], time: f64) -> Result<Vec<Row>, Unanswered> {
+    fn at(
+        &mut self,
+        part: f64,
+        instants: &[[f64; 2]],
+        time: f64,
+    ) -> Result<Vec<Vec<f64>>, Unanswered> {
         let rates: Vec<Rates> = instants
             .iter()
             .map(|[v, a]| Rates {
@@ -246,7 +248,7 @@ impl Probe<'_, '_> {
             .rows(part, &rates, &mut self.rows)
             .map_err(Unanswered::Failed)?;
         let rows = self.rows.chunks_exact(self.along.columns().len());
-        let rows: Vec<Row> = rows
+        let rows: Vec<Vec<f64>> = rows
             .map(|row| {
                 self.columns
                     .iter()

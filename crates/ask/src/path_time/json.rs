@@ -19,8 +19,8 @@ struct Document<'a> {
     iterations: usize,
     rounds: usize,
     limits: Vec<Limit<'a>>,
-    check: Check<'a>,
-    law: Table<'a>,
+    check: Excess<'a>,
+    law: LawTable<'a>,
 }
 
 #[derive(Serialize)]
@@ -35,7 +35,7 @@ struct Limit<'a> {
 }
 
 #[derive(Serialize)]
-struct Check<'a> {
+struct Excess<'a> {
     excess: f64,
     limit: &'a str,
     time: f64,
@@ -43,7 +43,7 @@ struct Check<'a> {
 }
 
 #[derive(Serialize)]
-struct Table<'a> {
+struct LawTable<'a> {
     time: Vec<f64>,
     value: Vec<f64>,
     velocity: Vec<f64>,
@@ -80,7 +80,7 @@ impl Serialize for FastestMotion {
                     worth: law.worth(k),
                 })
                 .collect(),
-            check: Check {
+            check: Excess {
                 excess: excess.max(0.0),
                 limit: &self.bounds[bound].name,
                 time,
@@ -94,14 +94,14 @@ impl Serialize for FastestMotion {
 
 impl FastestMotion {
     /// The law at the nodes; accelerations and limits are those of the interval that begins there.
-    fn law_table(&self) -> Table<'_> {
+    fn law_table(&self) -> LawTable<'_> {
         let direction = (self.stroke.to - self.stroke.from).signum();
         let last = self.stroke.intervals - 1;
         let nodes = 0..self.law.nodes.len();
         let all: Vec<(f64, [f64; 2])> = self.law.instants().collect();
         let limit = |node: usize| Some(self.bounds[self.binding(node.min(last))?].name.as_str());
         let top = |node| self.law.top(&self.bounds, &self.coefficients, node);
-        Table {
+        LawTable {
             time: all.iter().map(|(time, _)| *time).collect(),
             value: self
                 .law

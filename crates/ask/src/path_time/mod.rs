@@ -18,7 +18,7 @@ mod page;
 mod text;
 mod written;
 
-use linkdyn_engine::analysis::{Along, Control, Prepared, Stop};
+use linkdyn_engine::analysis::{AlongStroke, Control, Prepared, Stop};
 use linkdyn_output::{Column, Status, Stopwatch, Trajectory};
 
 use crate::put::{Put, read};
@@ -96,7 +96,8 @@ impl Question for PathTime {
             .map(|own| &own.name)
             .position(|own| *own == stroke.driver);
         let clock = Stopwatch::start();
-        let mut along = Along::new(&prepared, driver.unwrap_or_default(), control).map_err(stop)?;
+        let mut along =
+            AlongStroke::new(&prepared, driver.unwrap_or_default(), control).map_err(stop)?;
         let bounds = self.bounds(&stroke, unit, along.columns(), &moving)?;
         let places = places(stroke.intervals);
         let coefficients = Coefficients::new(&mut along, &stroke, &bounds, places)?;

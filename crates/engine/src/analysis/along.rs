@@ -24,7 +24,7 @@ use linkdyn_output::{Column, Status};
 use std::sync::Arc;
 
 /// A mechanism along a stroke.
-pub struct Along<'s> {
+pub struct AlongStroke<'s> {
     system: &'s System,
     channels: Channels,
     driven: Driven<'s>,
@@ -45,7 +45,7 @@ pub struct Rates {
     pub time: f64,
 }
 
-impl<'s> Along<'s> {
+impl<'s> AlongStroke<'s> {
     /// Follows the driver, which moves from the first end of its stroke at t = 0 to the other at t = 1 s.
     ///
     /// # Errors
@@ -81,7 +81,7 @@ impl<'s> Along<'s> {
             Parameter::DriverValue => start.drive[0][0],
         };
         let path = path(&mut driven, (first, &q), range, control).map_err(singular)?;
-        let along = Along {
+        let along = AlongStroke {
             channels: Channels::new(system, question.contents),
             sample: Sample::new(system),
             inputs: start,

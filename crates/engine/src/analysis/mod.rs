@@ -49,7 +49,7 @@ mod transmission;
 mod unbounded;
 pub mod words;
 
-pub use along::{Along, Rates};
+pub use along::{AlongStroke, Rates};
 pub use bent::{BentAxis, bent_axes};
 pub use check::{Check, Lack, check};
 pub use control::{Control, Stop};
