@@ -428,10 +428,7 @@ fn released_drivers_are_moved_by_their_effort() {
             .fold(GRAVITY, |size: f64, one| size.max(one.1.abs()));
         for (found, known, name) in both {
             let off = (found - known).abs();
-            assert!(
-                off <= 1e-6 * size,
-                "{own_name} {name}: {found} {known}"
-            );
+            assert!(off <= 1e-6 * size, "{own_name} {name}: {found} {known}");
         }
     }
 }

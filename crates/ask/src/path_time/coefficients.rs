@@ -36,9 +36,6 @@ pub(super) struct Coefficients {
     width: usize,
 }
 
-/// Numbers of an instant, component by component.
-type CourseRow = Vec<f64>;
-
 impl Coefficients {
     /// Of all bounds at evenly spaced places, both ends among them.
     pub fn new(
@@ -82,7 +79,7 @@ impl Coefficients {
     }
 
     /// Coefficients from an instant at rest, one with a speed, one with an acceleration.
-    fn push(&mut self, bounds: &[Bound], rows: &[CourseRow], [v, a]: [f64; 2]) {
+    fn push(&mut self, bounds: &[Bound], rows: &[Vec<f64>], [v, a]: [f64; 2]) {
         for (k, bound) in bounds.iter().enumerate() {
             let components = self.first[k]..self.first.get(k + 1).copied().unwrap_or(self.width);
             let of = components.map(|column| match (bound.of, self.courses[k]) {
@@ -238,7 +235,7 @@ impl Probe<'_, '_> {
         part: f64,
         instants: &[[f64; 2]],
         time: f64,
-    ) -> Result<Vec<CourseRow>, Unanswered> {
+    ) -> Result<Vec<Vec<f64>>, Unanswered> {
         let rates: Vec<Rates> = instants
             .iter()
             .map(|[v, a]| Rates {
@@ -251,7 +248,7 @@ impl Probe<'_, '_> {
             .rows(part, &rates, &mut self.rows)
             .map_err(Unanswered::Failed)?;
         let rows = self.rows.chunks_exact(self.along.columns().len());
-        let rows: Vec<CourseRow> = rows
+        let rows: Vec<Vec<f64>> = rows
             .map(|row| {
                 self.columns
                     .iter()

@@ -19,7 +19,7 @@ struct Document<'a> {
     iterations: usize,
     rounds: usize,
     limits: Vec<Limit<'a>>,
-    check: LawCheck<'a>,
+    check: Excess<'a>,
     law: LawTable<'a>,
 }
 
@@ -35,7 +35,7 @@ struct Limit<'a> {
 }
 
 #[derive(Serialize)]
-struct LawCheck<'a> {
+struct Excess<'a> {
     excess: f64,
     limit: &'a str,
     time: f64,
@@ -80,7 +80,7 @@ impl Serialize for FastestMotion {
                     worth: law.worth(k),
                 })
                 .collect(),
-            check: LawCheck {
+            check: Excess {
                 excess: excess.max(0.0),
                 limit: &self.bounds[bound].name,
                 time,

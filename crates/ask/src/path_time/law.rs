@@ -280,13 +280,14 @@ fn between(
     for interval in 0..nodes.len() - 1 {
         for (k, bound) in bounds.iter().enumerate() {
             let course = all.courses[k];
-            let values = [0, 1, 2].map(|middle| {
+            let [first, middle, last] = [0, 1, 2].map(|middle| {
                 let at = motion(nodes, &found.squares, interval, 0.5 * middle as f64);
                 let rows = rows(bound, course, all.at(k, 2 * interval + middle));
                 rows.iter().map(|row| excess(row, at)).collect::<Vec<f64>>()
             });
-            for row in 0..values[0].len() {
-                let (part, most) = greatest([0, 1, 2].map(|middle| values[middle][row]));
+            let values = first.iter().zip(&middle).zip(&last).enumerate();
+            for (row, ((first, middle), last)) in values {
+                let (part, most) = greatest([*first, *middle, *last]);
                 if most > EXCESS && part > 0.0 && part < 1.0 {
                     let of = all.between(k, 2 * interval, part);
                     let new = limits(bound, course, &of, (interval, part)).nth(row);

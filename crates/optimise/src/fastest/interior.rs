@@ -117,14 +117,14 @@ impl Tridiagonal {
 
 /// Unknowns, slacks and multipliers.
 #[derive(Clone)]
-struct InteriorPoint {
+struct Iterate {
     beta: Vec<f64>,
     slack: Vec<f64>,
     weight: Vec<f64>,
 }
 
 /// What is at a point.
-struct InteriorState {
+struct Standing {
     value: f64,
     rows: Vec<Local>,
     matrix: Tridiagonal,
@@ -135,8 +135,8 @@ struct InteriorState {
     mean: f64,
 }
 
-impl InteriorState {
-    fn new(scaled: &Scaled, point: &InteriorPoint) -> Self {
+impl Standing {
+    fn new(scaled: &Scaled, point: &Iterate) -> Self {
         let beta = &point.beta;
         let mut matrix = Tridiagonal {
             diagonal: vec![0.0; beta.len()],
@@ -178,7 +178,7 @@ impl InteriorState {
         let last = slope.len() - 1;
         (slope[0], slope[last]) = (0.0, 0.0);
         let residual = rows.iter().zip(&point.slack).map(|(row, s)| row.value + s);
-        InteriorState {
+        Standing {
             value,
             residual: residual.collect(),
             rows,
@@ -189,7 +189,7 @@ impl InteriorState {
     }
 
     /// Sums of squares of the residuals, complementarity with a target.
-    fn merit(&self, point: &InteriorPoint, target: f64) -> f64 {
+    fn merit(&self, point: &Iterate, target: f64) -> f64 {
         let squares = |all: &[f64]| all.iter().map(|x| x * x).sum::<f64>();
         let pairs = point.slack.iter().zip(&point.weight);
         let products = pairs.map(|(s, z)| (s * z - target) * (s * z - target));
@@ -205,20 +205,20 @@ impl InteriorState {
 }
 
 /// A step of all unknowns, and the part of it that stays inside.
-struct InteriorStep {
+struct Direction {
     beta: Vec<f64>,
     slack: Vec<f64>,
     weight: Vec<f64>,
 }
 
-impl InteriorStep {
+impl Direction {
     /// s z + Δ(s z) = target − what a step before made of it.
     fn new(
         scaled: &Scaled,
-        state: &InteriorState,
-        point: &InteriorPoint,
+        state: &Standing,
+        point: &Iterate,
         target: f64,
-        before: Option<&InteriorStep>,
+        before: Option<&Direction>,
     ) -> Self {
         let mut beta: Vec<f64> = state.slope.iter().map(|slope| -slope).collect();
         let product = |i: usize| {
@@ -231,7 +231,7 @@ impl InteriorStep {
             beta[row.interval + 1] -= push * local.gradient[1];
         }
         state.matrix.solve(&mut beta);
-        let mut step = InteriorStep {
+        let mut step = Direction {
             slack: Vec::with_capacity(state.rows.len()),
             weight: Vec::with_capacity(state.rows.len()),
             beta,
@@ -247,7 +247,7 @@ impl InteriorStep {
     }
 
     /// The part that keeps everything positive.
-    fn inside(&self, point: &InteriorPoint) -> f64 {
+    fn inside(&self, point: &Iterate) -> f64 {
         let pairs = [
             (&point.beta, &self.beta),
             (&point.slack, &self.slack),
@@ -258,9 +258,9 @@ impl InteriorStep {
         parts.fold(1.0 / INSIDE, f64::min)
     }
 
-    fn from(&self, point: &InteriorPoint, part: f64) -> InteriorPoint {
+    fn from(&self, point: &Iterate, part: f64) -> Iterate {
         let go = |x: &[f64], dx: &[f64]| x.iter().zip(dx).map(|(x, dx)| x + part * dx).collect();
-        InteriorPoint {
+        Iterate {
             beta: go(&point.beta, &self.beta),
             slack: go(&point.slack, &self.slack),
             weight: go(&point.weight, &self.weight),
@@ -271,7 +271,7 @@ impl InteriorStep {
 /// The solution; `None` if it is not found.
 pub(super) fn solve(scaled: &Scaled) -> Option<Found> {
     let mut point = start(scaled);
-    let mut state = InteriorState::new(scaled, &point);
+    let mut state = Standing::new(scaled, &point);
     for iterations in 1..=MOST_ITERATIONS {
         if state.value < LEAST {
             return None;
@@ -279,7 +279,7 @@ pub(super) fn solve(scaled: &Scaled) -> Option<Found> {
         if state.distance() <= ACCURACY {
             return Some(found(point, &state, iterations - 1));
         }
-        let InteriorState { matrix, rows, .. } = &mut state;
+        let Standing { matrix, rows, .. } = &mut state;
         for (i, row) in scaled.rows.iter().enumerate() {
             let (by, [from, to]) = (point.weight[i] / point.slack[i], rows[i].gradient);
             matrix.add(
@@ -290,17 +290,17 @@ pub(super) fn solve(scaled: &Scaled) -> Option<Found> {
         if !matrix.factor() {
             break;
         }
-        let predictor = InteriorStep::new(scaled, &state, &point, 0.0, None);
+        let predictor = Direction::new(scaled, &state, &point, 0.0, None);
         let ahead = predictor.from(&point, INSIDE.min(predictor.inside(&point)));
         let pairs = ahead.slack.iter().zip(&ahead.weight);
         let mean = pairs.map(|(s, z)| s * z).sum::<f64>() / scaled.rows.len() as f64;
         let target = state.mean * (mean / state.mean).clamp(0.0, 1.0).powi(3);
-        let step = InteriorStep::new(scaled, &state, &point, target, Some(&predictor));
+        let step = Direction::new(scaled, &state, &point, target, Some(&predictor));
         let mut part = INSIDE * step.inside(&point);
         let before = state.merit(&point, target);
         loop {
             let next = step.from(&point, part);
-            let there = InteriorState::new(scaled, &next);
+            let there = Standing::new(scaled, &next);
             // No residual grows much, so far from the solution the step may be long.
             if there.merit(&next, target) <= 1.02 * before {
                 (point, state) = (next, there);
@@ -315,8 +315,8 @@ pub(super) fn solve(scaled: &Scaled) -> Option<Found> {
     (state.distance() <= ENOUGH).then(|| found(point, &state, MOST_ITERATIONS))
 }
 
-fn found(point: InteriorPoint, state: &InteriorState, iterations: usize) -> Found {
-    let InteriorPoint { beta, weight, .. } = point;
+fn found(point: Iterate, state: &Standing, iterations: usize) -> Found {
+    let Iterate { beta, weight, .. } = point;
     Found {
         inner: beta[1..beta.len() - 1].to_vec(),
         weights: weight,
@@ -326,7 +326,7 @@ fn found(point: InteriorPoint, state: &InteriorState, iterations: usize) -> Foun
 }
 
 /// Well within the room of each node, without steep flanks.
-fn start(scaled: &Scaled) -> InteriorPoint {
+fn start(scaled: &Scaled) -> Iterate {
     let last = scaled.room.len() - 1;
     let room = scaled.room.iter().map(|room| PART * room.clamp(1e-6, 1.0));
     let mut beta: Vec<f64> = room.collect();
@@ -344,7 +344,7 @@ fn start(scaled: &Scaled) -> InteriorPoint {
     });
     let slack: Vec<f64> = values.map(|value| (-value).max(0.1)).collect();
     let weight = slack.iter().map(|s| 0.1 / s).collect();
-    InteriorPoint {
+    Iterate {
         beta,
         slack,
         weight,
