@@ -1,4 +1,4 @@
-//! Links whose text is plain, of https://pmksplus.mech.website: `j=A,1.4,0.485,AB,R,t,0,0.1,t,%0A…&l=AB,1,1,1.535,0.7375,A%7CB,,l,…%0A…&f=…&s=10,false,false,m`
+//! Links whose text is plain, of <https://pmksplus.mech.website>: `j=A,1.4,0.485,AB,R,t,0,0.1,t,%0A…&l=AB,1,1,1.535,0.7375,A%7CB,,l,…%0A…&f=…&s=10,false,false,m`
 //!
 //! Records are lines of fields. A joint has its name, x, y, its links, R or P, whether it is ground, the angle of its guide, friction, and
 //! whether it is the input; a link its name, mass, inertia, centre of mass, joints, forces and outline; a force its name, link, start,
