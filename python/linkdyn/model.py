@@ -369,7 +369,7 @@ class Model:
         """The mechanism as a linear system, as in ``state-space.json``.
 
         :param inputs: ``driver.NAME`` (its torque or force, the driver being let go), ``driver.NAME.acceleration``,
-            ``force.NAME``, ``BODY.POINT.fx``, ``BODY.POINT.fy``, ``BODY.torque``; one may be given alone.
+            ``input.NAME``, ``force.NAME``, ``BODY.POINT.fx``, ``BODY.POINT.fy``, ``BODY.torque``; one may be given alone.
         :param outputs: columns of results, or patterns of them; the positions of the states where none are given.
         :param at: an instant of the motion of the model's analysis [s], or several, each with a system of its own; about the
             equilibrium where there is none.

@@ -33,7 +33,7 @@ pub struct Options {
     /// Give the linear state space x' = A x + B w, y = C x + D w instead of the modes
     #[arg(long)]
     state_space: bool,
-    /// Inputs w: driver.NAME, driver.NAME.acceleration, force.NAME, BODY.POINT.fx, BODY.POINT.fy, BODY.torque
+    /// Inputs w: driver.NAME, driver.NAME.acceleration, input.NAME, force.NAME, BODY.POINT.fx, BODY.POINT.fy, BODY.torque
     #[arg(long, value_name = "INPUT", num_args = 1.., requires = "state_space")]
     inputs: Vec<String>,
     /// Outputs y: columns of results, * stands for any text; the positions of the states where none are given

@@ -275,6 +275,20 @@ fn inputs_are_constant_until_they_are_set() {
     assert!(said.ends_with("NaN is not a finite number"), "{said}");
 }
 
+/// Columns that follow from rows have the numbers that were set.
+#[test]
+fn requested_columns_know_inputs_that_were_set() {
+    let mut model = rotor();
+    model["analysis"]["columns"] = json!(["*", "force.motor.torque"]);
+    let made = mechanism(&model);
+    let torque = made.column("force.motor.torque").expect("there");
+    let mut own = made.simulation().expect("it starts");
+    near(own.value(torque), 4.0, 0.0);
+    own.set_input("torque", -8.0).expect("an input");
+    own.step_to(1.0).expect("it turns");
+    near(own.value(torque), -8.0, 0.0);
+}
+
 /// What an input turns over at once is an event at once: a step of a formula, and a lock that closes.
 #[test]
 fn inputs_may_jump_over_kinks_and_events() {

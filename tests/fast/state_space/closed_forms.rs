@@ -208,3 +208,39 @@ fn a_motor_has_its_current() {
     let a: [&[f64]; 3] = [&[0.0, 1.0, 0.0], &[-15.0, 0.0, 2.0], &[0.0, -8.0, -40.0]];
     is(&found.a, &a, 1e-12);
 }
+
+/// A number that formulas name is an input, beside an integrated state: J θ″ = 2 u − 0.5 e, e′ = θ − v.
+#[test]
+fn numbers_from_outside_are_inputs() {
+    let bodies = json!({ "ground": { "points": { "O": [0.0, 0.0] } },
+        "rotor": { "mass": 1.0, "inertia": 0.2, "com": [0.0, 0.0], "points": { "O": [0.0, 0.0] } } });
+    let mut model = model(
+        bodies,
+        json!({ "o": pin("ground.O", "rotor.O") }),
+        json!({}),
+    );
+    model["inputs"] = json!({ "u": "0.5 N*m", "v": "0 rad" });
+    model["states"] = json!({ "e": { "rate": "=rotor.angle - input.v", "start": "0.25 rad*s" } });
+    model["forces"] = json!({
+        "m": { "type": "torque", "body": "rotor", "value": "=2*input.u - 0.5 N*m/(rad*s)*state.e" } });
+    model["analysis"] = json!({ "type": "dynamics", "end": 1.0, "outputs": 11 });
+    let outputs = ["force.m.torque", "rotor.alpha", "state.e.rate"];
+    let found = posed(&model, &["input.u", "input.v"], &outputs);
+    assert_eq!(names(&found.states)[2], "state.e");
+    let (u, v) = (&found.inputs[0], &found.inputs[1]);
+    assert_eq!(
+        [(u.unit.as_str(), u.value), (v.unit.as_str(), v.value)],
+        [("N*m", 0.5), ("rad", 0.0)]
+    );
+    near(found.states[2].value, 0.25, 0.0);
+    near(found.outputs[0].value, 0.875, 1e-15);
+    is(
+        &found.a,
+        &[&[0.0, 1.0, 0.0], &[0.0, 0.0, -2.5], &[1.0, 0.0, 0.0]],
+        1e-12,
+    );
+    is(&found.b, &[&[0.0, 0.0], &[10.0, 0.0], &[0.0, -1.0]], 1e-12);
+    let c: [&[f64]; 3] = [&[0.0, 0.0, -0.5], &[0.0, 0.0, -2.5], &[1.0, 0.0, 0.0]];
+    is(&found.c, &c, 1e-12);
+    is(&found.d, &[&[2.0, 0.0], &[10.0, 0.0], &[0.0, -1.0]], 1e-12);
+}

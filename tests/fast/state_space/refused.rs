@@ -16,6 +16,10 @@ fn inputs_that_are_none_are_told() {
             "input \"driver.bellt\": there is no driver \"bellt\" (did you mean \"belt\"?)",
         ),
         (
+            &["input.u"],
+            "input \"input.u\": there is no input \"u\", the model has none",
+        ),
+        (
             &["force.wind"],
             "input \"force.wind\": there is no force \"wind\", the model has none",
         ),
@@ -33,7 +37,7 @@ fn inputs_that_are_none_are_told() {
         ),
         (
             &["belt"],
-            "input \"belt\": inputs are called driver.NAME, driver.NAME.acceleration, force.NAME, BODY.POINT.fx, BODY.POINT.fy or BODY.torque",
+            "input \"belt\": inputs are called driver.NAME, driver.NAME.acceleration, input.NAME, force.NAME, BODY.POINT.fx, BODY.POINT.fy or BODY.torque",
         ),
         (
             &["pole.torque", "pole.torque"],

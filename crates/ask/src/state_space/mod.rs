@@ -27,7 +27,7 @@ const DECADE: f64 = 10.0;
 /// Asks for the linear system of a model.
 #[derive(Debug, Clone, Default)]
 pub struct StateSpace {
-    /// Inputs: `driver.NAME` (its torque or force), `driver.NAME.acceleration`, `force.NAME`, `BODY.POINT.fx`, `BODY.POINT.fy`,
+    /// Inputs: `driver.NAME` (its torque or force), `driver.NAME.acceleration`, `input.NAME`, `force.NAME`, `BODY.POINT.fx`, `BODY.POINT.fy`,
     /// `BODY.torque`.
     pub inputs: Vec<String>,
     /// Columns of results, or patterns of them; where none are given, the positions of the states.

@@ -138,6 +138,11 @@ impl<'s> Acting<'s> {
         })
     }
 
+    /// Numbers from outside have these values from now on.
+    pub fn give(&mut self, numbers: &[f64]) {
+        self.replay.give(numbers);
+    }
+
     /// Appends the columns of a row, NaN where it has no position.
     pub fn push(&mut self, row: &[f64], line: &mut Vec<f64>) {
         self.replay.take(row);

@@ -99,6 +99,13 @@ impl<'s> DerivedColumns<'s> {
         self.ratios.as_ref().map_or_else(Vec::new, Ratios::notes)
     }
 
+    /// Numbers from outside have these values in rows from now on.
+    pub fn give(&mut self, numbers: &[f64]) {
+        if let Some(acting) = &mut self.acting {
+            acting.give(numbers);
+        }
+    }
+
     /// Appends the columns of a row; NaN where there is nothing.
     pub fn push(&mut self, row: &[f64], line: &mut Vec<f64>) {
         let begin = line.len();

@@ -196,6 +196,11 @@ impl<'s> Replay<'s> {
         })
     }
 
+    /// Numbers from outside have these values from now on.
+    pub fn give(&mut self, numbers: &[f64]) {
+        self.inputs.states[..numbers.len()].copy_from_slice(numbers);
+    }
+
     /// Takes the state of a row.
     pub fn take(&mut self, row: &[f64]) {
         self.inputs.set_time(self.system, row[0]);

@@ -253,6 +253,8 @@ impl Stepped {
                     let elastic = flow.equations.evaluation().contact_energy(system, inputs);
                     sampling.sample.contact_energy = [elastic, dissipated];
                     sampling.push(flow);
+                    let numbers = scene.system().inputs.len();
+                    beside.give(&flow.equations.inputs.states[..numbers]);
                     None
                 }
                 Err(fault) => Some(fault),

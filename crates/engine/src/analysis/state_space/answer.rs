@@ -7,7 +7,7 @@ use linkdyn_output::{Equilibrium, Status};
 /// What is to be linearised, and where.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StateSpaceQuestion {
-    /// Inputs: `driver.NAME`, `driver.NAME.acceleration`, `force.NAME`, `BODY.POINT.fx`, `BODY.POINT.fy`, `BODY.torque`.
+    /// Inputs: `driver.NAME`, `driver.NAME.acceleration`, `input.NAME`, `force.NAME`, `BODY.POINT.fx`, `BODY.POINT.fy`, `BODY.torque`.
     pub inputs: Vec<String>,
     /// Columns of results, or patterns of them; the minimal coordinates where none are given.
     pub outputs: Vec<String>,

@@ -18,12 +18,14 @@ pub enum Input {
     Acceleration(usize),
     /// A force on the mechanism: that of size 1 (n).
     Force(Vec<f64>),
+    /// A number that formulas name.
+    Number(usize),
 }
 
 /// An input with its name and unit.
 pub struct NamedInput {
     pub name: String,
-    pub unit: &'static str,
+    pub unit: String,
     pub input: Input,
 }
 
@@ -43,7 +45,7 @@ impl NamedInput {
             let found = named((model, system), at, name).map_err(said)?;
             let driver = |input: &Input| match input {
                 Input::Effort(driver) | Input::Acceleration(driver) => Some(*driver),
-                Input::Force(_) => None,
+                Input::Force(_) | Input::Number(_) => None,
             };
             let own = driver(&found.input);
             let twice = |other: &NamedInput| {
@@ -84,6 +86,16 @@ fn named(
             };
             (name.to_owned(), unit, Input::Acceleration(driver))
         }
+        ["input", own] => {
+            let known = model.inputs.keys().map(String::as_str);
+            let found = model.inputs.get_full(own);
+            let (index, _, input) = found.ok_or_else(|| none("input", own, known))?;
+            let unit = match input.unit.as_str() {
+                "" => "1",
+                unit => unit,
+            };
+            (name.to_owned(), unit, Input::Number(index))
+        }
         ["force", own] => {
             let (unit, force) = force(system, at, own)?;
             (name.to_owned(), unit, Input::Force(force))
@@ -104,12 +116,16 @@ fn named(
         }
         _ => {
             return Err(
-                "inputs are called driver.NAME, driver.NAME.acceleration, force.NAME, BODY.POINT.fx, BODY.POINT.fy or BODY.torque"
+                "inputs are called driver.NAME, driver.NAME.acceleration, input.NAME, force.NAME, BODY.POINT.fx, BODY.POINT.fy or BODY.torque"
                     .into(),
             );
         }
     };
-    Ok(NamedInput { name, unit, input })
+    Ok(NamedInput {
+        name,
+        unit: unit.to_owned(),
+        input,
+    })
 }
 
 /// What to say of a name that nothing has.

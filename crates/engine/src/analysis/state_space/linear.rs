@@ -160,7 +160,7 @@ impl<'p> NearPoint<'p> {
             match own.input {
                 Input::Effort(driver) => free.push(driver),
                 Input::Acceleration(driver) => led.push(driver),
-                Input::Force(_) => {}
+                Input::Force(_) | Input::Number(_) => {}
             }
         }
         let driven = [&free[..], &led].concat();
@@ -257,7 +257,8 @@ impl<'p> NearPoint<'p> {
             .iter()
             .zip(&self.rates)
             .map(|(own, value)| rate(own, *value));
-        let integrated = system.states.iter().zip(&self.released.inputs.states);
+        let values = &self.released.inputs.states[system.inputs.len()..];
+        let integrated = system.states.iter().zip(values);
         let integrated = integrated.map(|(state, value)| Variable {
             name: format!("state.{}", state.name),
             unit: state.units[0].into(),
@@ -281,11 +282,12 @@ impl<'p> NearPoint<'p> {
             Input::Effort(_) => efforts.next().copied().unwrap_or_default(),
             Input::Acceleration(driver) => self.released.inputs.drive[*driver][2],
             Input::Force(_) => 0.0,
+            Input::Number(number) => self.released.inputs.states[*number],
         };
         let named = self.named.iter();
         let named = named.map(|own| Variable {
             name: own.name.clone(),
-            unit: own.unit.into(),
+            unit: own.unit.clone(),
             value: value(&own.input, &mut efforts),
         });
         named.collect()
@@ -345,10 +347,11 @@ impl<'p> NearPoint<'p> {
             Input::Acceleration(driver) => {
                 of(system.drivers[*driver].measure) / (scale.time * scale.time)
             }
-            Input::Effort(_) | Input::Force(_) => match self.named[input].unit {
+            Input::Effort(_) | Input::Force(_) => match self.named[input].unit.as_str() {
                 "N" => scale.force(),
                 _ => scale.force() * scale.length,
             },
+            Input::Number(_) => 1.0,
         };
         typical.max(w[input].abs())
     }
@@ -358,7 +361,8 @@ impl<'p> NearPoint<'p> {
         let (f, z) = (self.f(), self.system().states.len());
         let (mechanical, rest) = x.split_at(2 * f);
         let (states, led) = rest.split_at(z);
-        self.released.inputs.states.copy_from_slice(states);
+        let numbers = self.system().inputs.len();
+        self.released.inputs.states[numbers..].copy_from_slice(states);
         self.efforts.clear();
         self.force.fill(0.0);
         let mut led = self.led.iter().zip(led.chunks_exact(2));
@@ -374,6 +378,7 @@ impl<'p> NearPoint<'p> {
                     let sum = self.force.iter_mut().zip(force);
                     sum.for_each(|(sum, unit)| *sum += unit * value);
                 }
+                Input::Number(number) => self.released.inputs.states[*number] = *value,
             }
         }
         let given = GivenPoint {

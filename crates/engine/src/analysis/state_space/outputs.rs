@@ -114,6 +114,8 @@ impl<'s> OutputColumns<'s> {
         let own = self.row.len();
         if self.chosen.iter().any(|place| *place >= own) {
             let row = self.row.clone();
+            let numbers = system.inputs.len();
+            self.derived.give(&inputs.states[..numbers]);
             self.derived.push(&row, &mut self.row);
         }
         to.extend(self.chosen.iter().map(|place| self.row[*place]));

@@ -61,17 +61,14 @@ pub fn at_rest(
     let steady = modes::at_rest(&system, pose, control, |_, held, _, _| {
         let mut inputs = Inputs::still(&full);
         inputs.drive.clone_from(&held.inputs.drive);
-        let mut currents = full.states[system.states.len()..]
-            .iter()
-            .zip(system.states.len()..);
+        let currents = full.states.iter().zip(full.inputs.len()..);
         let values: Vec<f64> = currents
-            .by_ref()
+            .skip(system.states.len())
             .map(|(current, index)| {
                 let mut rate = |value: f64| {
                     inputs.states[index] = value;
-                    current
-                        .rate
-                        .value(&held.driven.evaluation.kinematics(&inputs))
+                    let at = held.driven.evaluation.kinematics(&inputs);
+                    current.rate.value(&at)
                 };
                 let [none, one] = [0.0, 1.0].map(&mut rate);
                 none / (none - one)
