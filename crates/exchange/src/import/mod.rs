@@ -68,6 +68,13 @@ pub fn import(
             sketch::linkage(name, drawn, options)
         }
     }?;
+    if imported.draft.bodies.is_empty() {
+        return Err(Refused::new(
+            "",
+            "nothing is drawn in it",
+            "draw a body first",
+        ));
+    }
     let parts = imported.draft.bodies.len().max(imported.draft.joints.len());
     if parts > MOST_PARTS {
         return Err(Refused::new(

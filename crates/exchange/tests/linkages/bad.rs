@@ -270,6 +270,8 @@ fn sizes_and_units() {
         of(many.as_bytes(), None),
         "2001 bodies or joints are too many for a planar linkage (2000 at most)"
     );
+    let nothing = of(b"{\"joints\": []}", None);
+    assert_eq!(nothing, "nothing is drawn in it (draw a body first)");
     let rows = format!(
         "body,point,x,y\n{}",
         (0..10_001)

@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use serde_json::{Value, json};
+
 use super::*;
 
 /// Mutants of each format.
@@ -85,12 +87,49 @@ fn mutant(origin: &str, random: &mut Random, marks: &[char]) -> Vec<u8> {
     bytes
 }
 
+/// A JSON text of which a few values are others: what no rule of the syntax stops.
+fn altered(text: &str, random: &mut Random) -> Option<Vec<u8>> {
+    fn places(value: &Value, at: &str, all: &mut Vec<String>) {
+        all.push(at.to_owned());
+        match value {
+            Value::Array(items) => (0..)
+                .zip(items)
+                .for_each(|(k, item): (usize, _)| places(item, &format!("{at}/{k}"), all)),
+            Value::Object(members) => members
+                .iter()
+                .for_each(|(key, item)| places(item, &format!("{at}/{key}"), all)),
+            Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
+        }
+    }
+    let mut value: Value = serde_json::from_str(text).ok()?;
+    for _ in 0..=random.below(3) {
+        let mut all = Vec::new();
+        places(&value, "", &mut all);
+        let other = value.pointer(&all[random.below(all.len())])?.clone();
+        let others = [
+            json!(null),
+            json!(0),
+            json!(-1e300),
+            json!(1e-300),
+            json!("A"),
+            json!([]),
+            json!({}),
+            other,
+        ];
+        let at = &all[random.below(all.len())];
+        *value.pointer_mut(at)? = others[random.below(16).min(7)].clone();
+    }
+    Some(value.to_string().into_bytes())
+}
+
 fn survives(format: Format, origins: &[&str], marks: &[char], mend: fn(Vec<u8>) -> Vec<u8>) {
     let (mut models, mut refused, mut faults) = (0, 0, 0);
     for number in 0..MUTANTS {
         let mut random = Random(number.wrapping_mul(0xd1b5_4a32_d192_ed03));
         let origin = origins[random.below(origins.len())];
-        let bytes = mutant(origin, &mut random, marks);
+        let altered = (random.below(2) == 0).then(|| altered(origin, &mut random));
+        let altered = altered.flatten();
+        let bytes = altered.unwrap_or_else(|| mutant(origin, &mut random, marks));
         let bytes = if random.below(4) > 0 {
             mend(bytes)
         } else {
