@@ -52,6 +52,7 @@ mod mechanism;
 mod profiles;
 mod quantity;
 mod questions;
+mod release;
 mod run;
 mod simulation;
 mod studies;

@@ -14,6 +14,8 @@ impl Checked {
     /// The same model in which a driver prescribes nothing: the input of its name is its driving torque \[N·m\] or force \[N\], zero until it
     /// is set.
     ///
+    /// Nothing says then where it starts but the poses; `Mechanism::release` of the package `linkdyn` adds that.
+    ///
     /// What acts is what the multiplier of the driver would be: a torque on the body and its opposite on the one from which the angle counts,
     /// forces on both points of a length, a force along the axis on the second body of a slide, and its opposite on the first.
     ///

@@ -1,10 +1,10 @@
 //! Drivers as inputs of a unit: let go, with their torque or force from outside, or led by an acceleration.
 
 use crate::cli::exit::{BadInput, Failure};
-use crate::cli::open::{ModelOptions, bad_input};
+use crate::cli::open::ModelOptions;
+use crate::mechanism::Mechanism;
 use linkdyn_ask::ModelFile;
 use linkdyn_ask::near::did_you_mean;
-use linkdyn_model::analysis::AnalysisKind;
 
 /// The model with drivers let go, and names of the drivers that are led.
 ///
@@ -14,7 +14,7 @@ pub fn given(
     file: ModelFile,
     inputs: &[String],
     model: &ModelOptions,
-) -> Result<(ModelFile, Vec<String>), Failure> {
+) -> Result<(Mechanism, Vec<String>), Failure> {
     let (mut released, mut steered) = (Vec::new(), Vec::new());
     let drivers = &file.model().drivers;
     let mut faults = Vec::new();
@@ -52,31 +52,11 @@ pub fn given(
     if !faults.is_empty() {
         return Err(BadInput(faults));
     }
+    let mechanism = Mechanism::of_file(file).map_err(|why| model.refuse(why))?;
     if released.is_empty() {
-        return Ok((file, steered));
+        return Ok((mechanism, steered));
     }
-    let refuse = |complaints| bad_input(&model.label(), complaints);
-    let before = file.model().clone();
-    let mut after = before.clone();
-    let mut sets = Vec::new();
-    for name in &released {
-        after = after.release(name).map_err(refuse)?;
-        sets.push(format!("drivers.{name}=null"));
-    }
-    let json = after.to_json();
-    let new_inputs = after
-        .inputs
-        .keys()
-        .filter(|name| !before.inputs.contains_key(*name));
-    sets.extend(new_inputs.map(|name| format!("inputs.{name}={}", json["inputs"][name])));
-    let new_forces = after
-        .forces
-        .keys()
-        .filter(|name| !before.forces.contains_key(*name));
-    sets.extend(new_forces.map(|name| format!("forces.{name}={}", json["forces"][name])));
-    let kind = before.analysis.as_ref().map(|analysis| analysis.kind);
-    if kind != Some(AnalysisKind::Dynamics) {
-        sets.push("analysis.type=dynamics".into());
-    }
-    Ok((file.set(sets).map_err(refuse)?, steered))
+    let names: Vec<&str> = released.iter().map(String::as_str).collect();
+    let released = mechanism.release(&names);
+    Ok((released.map_err(|why| model.refuse(why))?, steered))
 }

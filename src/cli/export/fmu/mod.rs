@@ -60,8 +60,7 @@ pub fn export(model: &ModelOptions, options: &FmuOptions, file: &Path) -> Result
         )]));
     }
     let libraries = library::all(&options.libraries)?;
-    let (changed, steered) = inputs::given(model.open()?, &options.inputs, model)?;
-    let mechanism = Mechanism::of_file(changed).map_err(|why| model.refuse(why))?;
+    let (mechanism, steered) = inputs::given(model.open()?, &options.inputs, model)?;
     let mechanism = with_outputs(&mechanism, options, model)?;
     // What can't begin here begins nowhere.
     let drivers: Vec<&str> = steered.iter().map(String::as_str).collect();
