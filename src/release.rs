@@ -47,17 +47,36 @@ impl Mechanism {
         let forces = forces.map(|name| format!("forces.{name}={}", json["forces"][name]));
         let gone = drivers.iter().map(|name| format!("drivers.{name}=null"));
         let moves = std::iter::once("analysis.type=dynamics".to_owned());
-        let start = self.set_all(moves.clone().chain(["analysis.columns=null".to_owned()]))?;
-        let start = start.start_of(drivers)?;
+        let start = self.start_of(drivers)?;
         self.set_all(gone.chain(inputs).chain(forces).chain(moves).chain(start))
     }
 
     /// Words of the model that say where it starts, and how fast, in the place of its drivers.
     fn start_of(&self, drivers: &[&str]) -> Result<Vec<String>, Error> {
-        let simulation = self.simulation()?;
-        let value = |body: &str, word: &str| -> Result<f64, Error> {
-            Ok(simulation.value(self.column(&format!("{body}.{word}"))?))
+        let of = |kind: &str| {
+            let words = [
+                format!("analysis.type={kind}"),
+                r#"analysis.columns=["*"]"#.into(),
+            ];
+            self.set_all(words)
         };
+        // Where drivers prescribe all there is nothing to simulate.
+        let free = of("dynamics")?;
+        let values: Box<dyn Fn(&str) -> Result<f64, Error>> = match free.simulation() {
+            Ok(simulation) => Box::new(move |name| Ok(simulation.value(free.column(name)?))),
+            Err(_) => {
+                let driven = of("kinematics")?;
+                let run = driven.run()?;
+                let run = match run.time().is_empty() {
+                    true => run.complete()?,
+                    false => run,
+                };
+                Box::new(move |name| {
+                    Ok(run.column(driven.column(name)?).get(0).unwrap_or_default())
+                })
+            }
+        };
+        let value = |body: &str, word: &str| values(&format!("{body}.{word}"));
         let turned = |name: &&str| match &self.model().drivers[*name].kind {
             DriverKind::Rotation { body, relative_to } => {
                 let ground = relative_to.as_ref().is_none_or(|other| other == GROUND);

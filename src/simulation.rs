@@ -211,12 +211,12 @@ impl Simulation {
     /// ```
     /// use linkdyn::prelude::*;
     ///
-    /// let mechanism: Mechanism = r#"{ "format": "linkdyn/1",
+    /// let mechanism: Mechanism = r#"{ "format": "linkdyn/1", "units": "SI",
     ///   "bodies": { "rotor": { "mass": 1, "inertia": 2, "com": [0, 0], "points": { "O": [0, 0] } }, "ground": { "points": { "O": [0, 0] } } },
     ///   "joints": { "pin": { "type": "revolute", "between": ["ground.O", "rotor.O"] } },
     ///   "inputs": { "torque": "0 N*m" },
     ///   "forces": { "motor": { "type": "torque", "body": "rotor", "value": "=input.torque" } },
-    ///   "analysis": { "type": "dynamics", "end": 1 } }"#.parse()?;
+    ///   "analysis": { "type": "dynamics", "end": 1, "outputs": 2 } }"#.parse()?;
     /// let mut rotor = mechanism.simulation()?;
     /// rotor.step_to(1.0)?;
     /// rotor.set_input("torque", 6.0)?;

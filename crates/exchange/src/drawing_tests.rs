@@ -322,7 +322,7 @@ fn bad_files_are_refused_with_a_mend() {
         length: Some("kg".into()),
     };
     let refused = import("a.dxf", dxf(&FOUR_BAR).as_bytes(), None, &options);
-    let wanted = "--length: \"kg\" is no unit of length (such as mm, cm, m, in or ft)";
+    let wanted = "--length: \"kg\" is no unit of length (mm, cm, m, in, ft or another that linkdyn docs format lists)";
     assert_eq!(refused.expect_err("no length").to_string(), wanted);
 }
 

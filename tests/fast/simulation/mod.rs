@@ -404,7 +404,7 @@ fn released_drivers_are_moved_by_their_effort() {
         let mut free = released.simulation().expect("it starts");
         free.set_input(&driver, effort).expect("an input");
         // What is read is what the forces until now have done.
-        free.step_to(1e-9).expect("it starts");
+        free.step_to(1e-10).expect("it starts");
         let names = released.model().bodies.keys();
         let names = names.flat_map(|body| WORDS.map(|word| format!("{body}.{word}")));
         let both = names.filter_map(|name| {
