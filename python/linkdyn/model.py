@@ -93,7 +93,8 @@ def import_model(source: str | bytes | PathLike[str], format: str | None = None,
     """Reads a mechanism of another program. What of it the model lacks is in its ``left_out``.
 
     :param source: the path of a file, a link that PMKS+ shares, or what is in a file: bytes, or text of several lines.
-    :param format: ``pmks``, ``pylinkage``, ``mjcf``, ``urdf``, ``sdf``, ``dxf``, ``svg`` or ``csv``, where name and content do not say it.
+    :param format: ``pmks``, ``pylinkage``, ``mjcf``, ``urdf``, ``sdf``, ``dxf``, ``svg`` or ``csv``, where name and
+        content do not say it.
     :param length: the unit of its lengths, where it does not say it, such as ``mm``.
     :raises ModelError: where it can't be read.
     :raises FileNotFoundError: where there is no such file.
@@ -478,7 +479,7 @@ class Model:
         end_speed: str | None = None,
         intervals: int | None = None,
     ) -> tuple[Answer, Model]:
-        """The fastest motion of a driver along a stroke, as in ``path-time.json``, and the model with this motion, ready to run.
+        """The fastest motion of a driver along a stroke, as in ``path-time.json``, and the model with this motion.
 
         :param limits: the limit of each column to both sides, or its lower and upper end, as in
             ``{"driver.motor.effort": ("-2 N*m", "5 N*m"), "joint.*": "300 N"}``.
