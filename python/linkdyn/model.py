@@ -495,9 +495,7 @@ class Model:
         ends = {name: (value,) if isinstance(value, str) else value for name, value in (limits or {}).items()}
         asked = [f"{name}={':'.join(value)}" for name, value in ends.items()]
         told, best = whole(
-            _linkdyn.path_time(
-                self._core, driver, start, end, asked, speed, acceleration, start_speed, end_speed, intervals
-            )
+            _linkdyn.path_time(self._core, driver, start, end, asked, speed, acceleration, start_speed, end_speed, intervals)
         )
         return read(told), Model(best, self._label, best.to_json().encode())
 
