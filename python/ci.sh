@@ -48,7 +48,7 @@ uv pip install --quiet --no-deps "$place"/wheels/linkdyn-*.whl
 
 # The package that is tested is the installed one, not the folder beside the tests.
 cp -r tests examples pyproject.toml "$place"
-cp ../tests/cases/schema.json "$place/tests"
+cp -r ../tests/cases/schema.json ../crates/exchange/tests/linkages "$place/tests"
 mkdir "$place/docs"
 cp ../docs/{cluster,python}.md "$place/docs"
 stage ruff check .

@@ -34,10 +34,10 @@ def test_a_mass_on_a_spring() -> None:
         ["mass.P.fx"],
         ["mass.x", "mass.ax"],
     )
-    assert np.allclose(system.A, [[0, 1], [-160, -4.8]], rtol=1e-12, atol=0)
-    assert np.allclose(system.B, [[0], [0.4]], rtol=1e-12, atol=0)
-    assert np.allclose(system.C, [[1, 0], [-160, -4.8]], rtol=1e-12, atol=0)
-    assert np.allclose(system.D, [[0], [0.4]], rtol=1e-12, atol=0)
+    assert np.allclose(system.A, np.array([[0, 1], [-160, -4.8]]), rtol=1e-12, atol=0)
+    assert np.allclose(system.B, np.array([[0], [0.4]]), rtol=1e-12, atol=0)
+    assert np.allclose(system.C, np.array([[1, 0], [-160, -4.8]]), rtol=1e-12, atol=0)
+    assert np.allclose(system.D, np.array([[0], [0.4]]), rtol=1e-12, atol=0)
     assert np.allclose([system.x0[0], *system.u0, *system.dx0], [0.2, 0, 0, 0], atol=1e-12)
     assert np.allclose(np.sort_complex(system.poles), np.sort_complex(np.linalg.eigvals(system.A)))
     omega = np.array([0.0, 5.0, 12.6, 100.0])
