@@ -53,30 +53,11 @@ impl Mechanism {
 
     /// Words of the model that say where it starts, and how fast, in the place of its drivers.
     fn start_of(&self, drivers: &[&str]) -> Result<Vec<String>, Error> {
-        let of = |kind: &str| {
-            let words = [
-                format!("analysis.type={kind}"),
-                r#"analysis.columns=["*"]"#.into(),
-            ];
-            self.set_all(words)
+        let (begun, row) = self.first_row()?;
+        let value = |body: &str, word: &str| -> Result<f64, Error> {
+            let column = begun.column(&format!("{body}.{word}"))?;
+            Ok(row[column.id.index()])
         };
-        // Where drivers prescribe all there is nothing to simulate.
-        let free = of("dynamics")?;
-        let values: Box<dyn Fn(&str) -> Result<f64, Error>> = match free.simulation() {
-            Ok(simulation) => Box::new(move |name| Ok(simulation.value(free.column(name)?))),
-            Err(_) => {
-                let driven = of("kinematics")?;
-                let run = driven.run()?;
-                let run = match run.time().is_empty() {
-                    true => run.complete()?,
-                    false => run,
-                };
-                Box::new(move |name| {
-                    Ok(run.column(driven.column(name)?).get(0).unwrap_or_default())
-                })
-            }
-        };
-        let value = |body: &str, word: &str| values(&format!("{body}.{word}"));
         let turned = |name: &&str| match &self.model().drivers[*name].kind {
             DriverKind::Rotation { body, relative_to } => {
                 let ground = relative_to.as_ref().is_none_or(|other| other == GROUND);
@@ -110,5 +91,33 @@ impl Mechanism {
             }
         }
         Ok(words)
+    }
+
+    /// The mechanism with all its columns, and their values at t = 0.
+    fn first_row(&self) -> Result<(Self, Vec<f64>), Error> {
+        let of = |kind: &str| {
+            let words = [
+                format!("analysis.type={kind}"),
+                r#"analysis.columns=["*"]"#.into(),
+            ];
+            self.set_all(words)
+        };
+        let free = of("dynamics")?;
+        if let Ok(simulation) = free.simulation() {
+            let row = simulation.row().to_vec();
+            return Ok((free, row));
+        }
+        // Drivers prescribe all, so that there is nothing to simulate.
+        let driven = of("kinematics")?;
+        let run = driven.run()?;
+        let run = match run.time().is_empty() {
+            true => run.complete()?,
+            false => run,
+        };
+        let row = driven
+            .columns()
+            .map(|(_, column)| run.column(column).get(0));
+        let row = row.map(|value| value.unwrap_or(f64::NAN)).collect();
+        Ok((driven, row))
     }
 }
