@@ -47,7 +47,7 @@ const PARTS: &[Part] = &[
     part("output", &["crates/output/src"], "rs", 2_180),
     part("picture", &["crates/picture/src"], "rs", 9_585),
     part("pages", &["crates/picture/src"], "js", 4_690),
-    part("library", &["src"], "rs", 7_430),
+    part("library", &["src"], "rs", 7_450),
     part("of it the command", &["src/cli"], "rs", 5_590),
     part("web", &["crates/web/src", "web/bind/src"], "rs", 445),
     part("editor", &["web/src"], "ts", 2_170),
