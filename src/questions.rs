@@ -4,9 +4,9 @@ use linkdyn_ask::run::{limited, warned};
 use linkdyn_engine::analysis::Control;
 
 use crate::ask::{
-    Accuracy, Allocate, Allocation, Check, Compare, Compared, Deviations, Diagnosis, FastestMotion,
-    Linearisation, Modes, Optimise, Optimised, PathTime, Question, SmallMotions, StateSpace,
-    Studied, Study,
+    Accuracy, Allocate, Allocation, Assemblies, AssembliesFound, Check, Circuits, CircuitsFound,
+    Compare, Compared, Deviations, Diagnosis, FastestMotion, Linearisation, Modes, Optimise,
+    Optimised, PathTime, Question, SmallMotions, StateSpace, Studied, Study,
 };
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -212,6 +212,33 @@ impl Mechanism {
     /// # Ok::<(), linkdyn::Error>(())
     /// ```
     pub fn optimise(&self, question: &Optimise) -> Result<Optimised, Error> {
+        self.ask(question, &Control::default())
+    }
+
+    /// All ways in which the mechanism closes.
+    ///
+    /// # Errors
+    /// [`Error::Model`] or [`Error::Question`] where the question does not fit the model.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::ask::Assemblies;
+    /// use linkdyn::prelude::*;
+    ///
+    /// let four_bar = Mechanism::bundled("four-bar")?;
+    /// let found = four_bar.assemblies(&Assemblies::default())?;
+    /// assert_eq!(found.found.found.len(), 2);
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn assemblies(&self, question: &Assemblies) -> Result<AssembliesFound, Error> {
+        self.ask(question, &Control::default())
+    }
+
+    /// Which assemblies are connected by motion of a driver.
+    ///
+    /// # Errors
+    /// As [`Mechanism::assemblies`].
+    pub fn circuits(&self, question: &Circuits) -> Result<CircuitsFound, Error> {
         self.ask(question, &Control::default())
     }
 

@@ -20,8 +20,10 @@ __all__ = [
     "_panic",
     "accuracy",
     "allocate",
+    "assemblies",
     "bundled",
     "check",
+    "circuits",
     "command",
     "compare",
     "imported",
@@ -198,6 +200,10 @@ def optimise(
     seed: int | None,
     threads: int,
 ) -> _Stopped[tuple[_Told, str | None, Mechanism | None]]: ...
+def assemblies(model: Mechanism, at: float, most: int, take: int | None) -> _Stopped[tuple[_Told, Mechanism | None]]: ...
+def circuits(
+    model: Mechanism, driver: str | None, values: int | None, range: tuple[float, float] | None
+) -> _Stopped[_Told]: ...
 def path_time(
     model: Mechanism,
     driver: str | None,

@@ -337,6 +337,40 @@ class Model:
         """
         return read(whole(_linkdyn.check(self._core)))
 
+    def assemblies(self, at: float = 0.0, *, most: int = 1000) -> Answer:
+        """All ways in which the mechanism closes, as in ``assemblies.json``.
+
+        :param at: the instant at which drivers have their values [s].
+        :param most: the most assemblies that are looked for.
+
+        >>> import linkdyn
+        >>> len(linkdyn.load("four-bar").assemblies()["assemblies"])
+        2
+        """
+        told, _ = whole(_linkdyn.assemblies(self._core, at, most, None))
+        return read(told)
+
+    def assembled(self, number: int, at: float = 0.0) -> Model:
+        """The model in which one of :meth:`assemblies`, counted from 1, is drawn."""
+        _, taken = whole(_linkdyn.assemblies(self._core, at, 1000, number))
+        assert taken is not None
+        return Model(taken, self._label, taken.to_json().encode())
+
+    def circuits(
+        self, driver: str | None = None, *, values: int | None = None, range: tuple[float, float] | None = None
+    ) -> Answer:
+        """Which assemblies are connected by motion while a driver is led through its values, as in ``circuits.json``.
+
+        :param values: values of the driver at which all assemblies are looked for; 72 where nothing is said.
+        :param range: the driver's least and greatest value [rad or m]; a full turn, or what its motion passes, where
+            nothing is said.
+
+        >>> import linkdyn
+        >>> [circuit["turns_fully"] for circuit in linkdyn.load("four-bar").circuits()["circuits"]]
+        [True, True]
+        """
+        return read(whole(_linkdyn.circuits(self._core, driver, values, range)))
+
     def modes(self, *, pose: bool = False) -> Answer:
         """Natural frequencies, damping ratios and shapes of small motions, as in ``modes.json``.
 

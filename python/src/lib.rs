@@ -41,8 +41,8 @@ mod _linkdyn {
     use super::mechanism::Mechanism;
     #[pymodule_export]
     use super::questions::{
-        Variants, accuracy, allocate, bundled, check, compare, imported, linearise, modes,
-        optimise, path_time, quantity,
+        Variants, accuracy, allocate, assemblies, bundled, check, circuits, compare, imported,
+        linearise, modes, optimise, path_time, quantity,
     };
     #[pymodule_export]
     use super::run::{Column, Run};

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use linkdyn::ask::{
-    Accuracy, Allocate, Check, Compare, Levels, Method, Modes, Optimise, PathTime, StateSpace,
-    Study, Varied,
+    Accuracy, Allocate, Assemblies, Check, Circuits, Compare, Levels, Method, Modes, Optimise,
+    PathTime, StateSpace, Study, Varied,
 };
 use linkdyn::{Control, Error, bridge};
 use pyo3::exceptions::PyValueError;
@@ -72,6 +72,49 @@ pub fn modes(py: Python<'_>, model: &Mechanism, pose: bool) -> PyResult<Stopped<
     let mechanism = model.own();
     asked(py, None, move |control| {
         let found = mechanism.ask(&Modes { pose }, control)?;
+        let page = found.html().and_then(Result::ok);
+        Ok((bridge::json(&found), bridge::words(found.text()), page))
+    })
+}
+
+/// All assemblies at an instant, and where one is asked for, counted from 1, the model in which it is drawn.
+#[pyfunction]
+pub fn assemblies(
+    py: Python<'_>,
+    model: &Mechanism,
+    at: f64,
+    most: usize,
+    take: Option<usize>,
+) -> PyResult<Stopped<Option<(Told, Option<Mechanism>)>>> {
+    let mechanism = model.own();
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&Assemblies { at, most }, control)?;
+        let taken = take.map(|number| found.drawn(number).map_err(Error::from));
+        let taken = taken.transpose()?.map(bridge::mechanism).transpose()?;
+        let page = found.html().and_then(Result::ok);
+        let told = (bridge::json(&found), bridge::words(found.text()), page);
+        Ok((told, taken.map(Mechanism::of)))
+    })
+}
+
+/// The circuits that a driver leads through.
+#[pyfunction]
+pub fn circuits(
+    py: Python<'_>,
+    model: &Mechanism,
+    driver: Option<String>,
+    values: Option<usize>,
+    range: Option<[f64; 2]>,
+) -> PyResult<Stopped<Option<Told>>> {
+    let mechanism = model.own();
+    let question = Circuits {
+        driver,
+        values,
+        range,
+        most: None,
+    };
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&question, control)?;
         let page = found.html().and_then(Result::ok);
         Ok((bridge::json(&found), bridge::words(found.text()), page))
     })

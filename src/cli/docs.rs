@@ -18,6 +18,7 @@ tutorial    a first model, from an empty file to a study of clearance
 editor      a mechanism that moves while you draw it, in a browser
 recipes     points from a drawing, a cylinder, a motor, a suspension, pandas
 accuracy    what tolerances and clearances do, and how tight they must be
+assemblies  all ways in which a mechanism closes, and the circuits that connect them
 studies     many variants of a model: sweeps, samples of tolerances, clusters
 optimise    parameters that meet a goal, are best, or let a point take a path
 path-time   the fastest motion along a stroke, under limits of effort, speed and pin forces
@@ -43,6 +44,7 @@ fn text(page: &str) -> Option<&'static str> {
         "editor" => include_str!("../../docs/editor.md"),
         "recipes" => include_str!("../../docs/recipes.md"),
         "accuracy" => include_str!("../../docs/accuracy.md"),
+        "assemblies" => include_str!("../../docs/assemblies.md"),
         "studies" => include_str!("../../docs/studies.md"),
         "optimise" => include_str!("../../docs/optimise.md"),
         "path-time" => include_str!("../../docs/path-time.md"),
@@ -89,6 +91,6 @@ mod tests {
     fn every_page_of_the_list_has_a_text() {
         let names = LIST.lines().filter_map(|line| line.split(' ').next());
         assert!(names.clone().all(|name| text(name).is_some()));
-        assert_eq!(names.count(), 20);
+        assert_eq!(names.count(), 21);
     }
 }

@@ -19,6 +19,7 @@
 mod accuracy;
 mod allocate;
 mod animate;
+mod assemblies;
 mod check;
 mod compare;
 mod completions;
@@ -111,6 +112,8 @@ enum Command {
     Accuracy(accuracy::Options),
     /// The cheapest tolerances that keep the limits of outputs
     Allocate(allocate::Options),
+    /// All assemblies, and the circuits that connect them
+    Assemblies(Box<assemblies::Options>),
     /// Natural frequencies, damping ratios and shapes of small motions about the equilibrium
     Modes(modes::Options),
     /// Run many variants: sweeps of parameters, samples of tolerances; what comes out of them
@@ -190,6 +193,7 @@ impl Command {
             Command::Modes(options) => modes::execute(&options),
             Command::Study(options) => study::execute(&options),
             Command::Optimise(options) => optimise::execute(&options),
+            Command::Assemblies(options) => assemblies::execute(&options),
             Command::PathTime(options) => path_time::execute(&options),
             Command::Plot(options) => plot::execute(&options),
             Command::Animate(options) => animate::execute(&options),

@@ -8,6 +8,7 @@
 //! | [`accuracy`]    | what tolerances and clearances do                             |
 //! | [`studies`]     | many variants: sweeps, samples, clusters                      |
 //! | [`optimise`]    | parameters that meet a goal, are best, or draw a path         |
+//! | [`assemblies`]  | all assemblies and circuits                                   |
 //! | [`path_time`]   | the fastest motion along a stroke                             |
 //! | [`python`]      | runs, variants, studies and notebooks in Python               |
 //! | [`cluster`]     | studies on many machines, and what it costs                   |
@@ -64,6 +65,8 @@ pub mod messages {}
 pub mod optimise {}
 
 #[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/assemblies.md")]
+pub mod assemblies {}
 #[doc = include_str!("../../docs/path-time.md")]
 pub mod path_time {}
 

@@ -9,6 +9,7 @@ mod long;
 mod tab;
 
 mod accuracy;
+mod assemblies;
 mod book;
 mod boxes;
 mod check;

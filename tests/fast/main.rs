@@ -31,6 +31,7 @@ mod admission;
 mod allocate;
 mod allocations;
 mod architecture;
+mod assemblies;
 mod assembly;
 mod beams;
 mod belts;

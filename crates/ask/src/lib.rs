@@ -10,6 +10,7 @@
 
 pub mod accuracy;
 pub mod allocate;
+pub mod assemblies;
 pub mod check;
 pub mod compare;
 pub mod drawing;

@@ -13,11 +13,31 @@
 
 use std::collections::{BTreeSet, VecDeque};
 
-use petgraph::graph::{NodeIndex, UnGraph};
+use petgraph::algo::tarjan_scc;
+use petgraph::graph::{DiGraph, NodeIndex, UnGraph};
 use petgraph::visit::EdgeRef;
 
 /// Index of ground among the bodies.
 const GROUND: usize = 0;
+
+/// Nodes that wait for each other, those first that wait for no later ones: strongly connected components (Tarjan, SIAM J. Comput. 1, 1972).
+/// `waits` has by node those that it waits for.
+pub(crate) fn waiting_groups(waits: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let mut graph = DiGraph::<(), ()>::new();
+    let nodes: Vec<NodeIndex> = waits.iter().map(|_| graph.add_node(())).collect();
+    for (node, others) in nodes.iter().zip(waits) {
+        for other in others {
+            graph.update_edge(*node, nodes[*other], ());
+        }
+    }
+    let groups = tarjan_scc(&graph).into_iter();
+    let sorted = groups.map(|group| {
+        let mut group: Vec<usize> = group.into_iter().map(NodeIndex::index).collect();
+        group.sort_unstable();
+        group
+    });
+    sorted.collect()
+}
 
 /// The graph of bodies and joints, its islands, spanning tree and loops.
 #[derive(Debug, Clone)]

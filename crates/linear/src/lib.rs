@@ -13,6 +13,7 @@
 //! dense         singular values, null spaces and least norm solutions of small matrices
 //! small         LU and Cholesky factors of small dense matrices, without allocation
 //! redundancy    free directions, and independent rows chosen for good condition
+//! bilinear      all roots of square systems of bilinear equations
 //! complementary linear complementarity problems
 //! lemke         the same of copositive matrices
 //! eigen         eigenvalues of small symmetric matrices, and of M x″ + C x′ + K x = 0
@@ -22,6 +23,7 @@
 //!
 //! A step loop holds one [`SparseLu`], factors once and then only refactors and solves, without allocating.
 
+pub mod bilinear;
 pub mod complementary;
 pub mod dense;
 pub mod eigen;

@@ -2,7 +2,7 @@
 
 use super::*;
 
-const COMMANDS: [&str; 21] = [
+const COMMANDS: [&str; 22] = [
     "accuracy",
     "allocate",
     "new",
@@ -15,6 +15,7 @@ const COMMANDS: [&str; 21] = [
     "modes",
     "study",
     "optimise",
+    "assemblies",
     "path-time",
     "plot",
     "animate",

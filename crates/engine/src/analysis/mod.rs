@@ -3,6 +3,7 @@
 mod acting;
 mod along;
 mod applied;
+mod assemblies;
 pub mod assembly;
 mod belts;
 mod bent;
@@ -51,6 +52,10 @@ mod unbounded;
 pub mod words;
 
 pub use along::{AlongStroke, Rates};
+pub use assemblies::{
+    AllAssemblies, AllCircuits, AssemblyGroup, CircuitsQuestion, FoundAssembly, FoundCircuit,
+    Turning, all_assemblies, all_circuits,
+};
 pub use bent::{BentAxis, bent_axes};
 pub use check::{Check, Lack, check};
 pub use control::{Control, Stop};

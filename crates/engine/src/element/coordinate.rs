@@ -6,9 +6,11 @@
 //!
 //! with f of a driver that leads it from where it is drawn, if there is one.
 
+use super::algebra::{Algebraic, Form};
 use super::driven::DriveId;
 use super::{Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope};
 use crate::motion::Jet;
+use linkdyn_linear::bilinear::Number;
 use linkdyn_linear::math::Vec2;
 
 /// One coordinate of a body at a value.
@@ -102,6 +104,17 @@ impl Constraint for Coordinate {
 
     fn is_linear(&self, _row: usize) -> bool {
         self.axis == Axis::Theta
+    }
+
+    fn algebra(&self, drive: &[Jet]) -> Vec<Algebraic> {
+        let value = self.value + self.drive.map_or(0.0, |own| drive[own.0][0]);
+        let off =
+            |at: Number| Form::point(self.origin.body, self.origin.s).minus(Form::constant(at));
+        vec![match self.axis {
+            Axis::X => Algebraic::Real(off(Number::new(value, 0.0))),
+            Axis::Y => Algebraic::Imaginary(off(Number::new(0.0, value))),
+            Axis::Theta => Algebraic::tied(BodyId::GROUND, self.origin.body, value),
+        }]
     }
 
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -8,9 +8,11 @@
 //!
 //! λ e is the force on the second point, −λ e that on the first: the effort pushes the points apart where it is positive.
 
+use super::algebra::Algebraic;
 use super::driven::DriveId;
 use super::span::{BOTH, Span, both_bodies, upper_pairs};
 use super::{Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast};
+use crate::motion::Jet;
 use linkdyn_linear::math::{Real, Vec2, Vector, perp};
 
 /// Two points whose distance is driven.
@@ -100,6 +102,11 @@ impl Constraint for Distance {
     }
 
     abreast!();
+
+    fn algebra(&self, drive: &[Jet]) -> Vec<Algebraic> {
+        let span = self.first.form_to(&self.second);
+        vec![Algebraic::Length(span, drive[self.drive.0][0])]
+    }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.line(at).0 * lambda[0], 0.0)

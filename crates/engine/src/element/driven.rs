@@ -8,8 +8,10 @@
 //! with u, n, d of the guide (see `prismatic`); φ_t = f′. λ is the effort: torque on the body, or force on the second
 //! body along u.
 
+use super::algebra::Algebraic;
 use super::prismatic::{Guide, Slide};
 use super::{Axis, BodyId, Constraint, Entry, Equations, Kinematics, Measure, Slope, abreast};
+use crate::motion::Jet;
 use linkdyn_linear::math::{Real, Vec2};
 
 /// Where a driver's value stands in [`Kinematics::drive`].
@@ -70,6 +72,11 @@ impl Constraint for Rotation {
     }
 
     abreast!();
+
+    fn algebra(&self, drive: &[Jet]) -> Vec<Algebraic> {
+        let angle = drive[self.drive.0][0];
+        vec![Algebraic::tied(self.relative_to, self.body, angle)]
+    }
 
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (Vec2::zeros(), lambda[0])
@@ -145,6 +152,21 @@ impl Constraint for Translation {
     }
 
     abreast!();
+
+    fn algebra(&self, drive: &[Jet]) -> Vec<Algebraic> {
+        let Guide {
+            first,
+            second,
+            axis,
+        } = &self.guide;
+        let slide = drive[self.drive.0][0];
+        vec![Algebraic::along(
+            first.body,
+            *axis,
+            first.form_to(second),
+            slide,
+        )]
+    }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         (self.guide.at(at).u * lambda[0], 0.0)

@@ -7,12 +7,14 @@
 //!
 //! λ is force and torque of the first body on the second, at the second body's point.
 
+use super::algebra::Algebraic;
 use super::revolute::{
     is_of_place, point_bend, point_curvature_pattern, point_entries, point_jacobian,
 };
 use super::{
     Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast,
 };
+use crate::motion::Jet;
 use linkdyn_linear::math::{Real, Vec2};
 use std::sync::Arc;
 
@@ -86,6 +88,16 @@ impl Constraint for Fixed {
 
     fn is_linear(&self, row: usize) -> bool {
         row == 2
+    }
+
+    fn algebra(&self, _drive: &[Jet]) -> Vec<Algebraic> {
+        let mut rows = Algebraic::zero(self.first.form_to(&self.second)).to_vec();
+        rows.push(Algebraic::tied(
+            self.first.body,
+            self.second.body,
+            self.angle,
+        ));
+        rows
     }
 
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -22,9 +22,11 @@
 //! λ is the moment of that force on the second wheel about its point, F = −λ/R₂ t the force. Teeth with pressure angle ψ
 //! press the wheels apart by |F| tan ψ besides, along e: no motion or torque depends on it, and it is left out.
 
+use super::algebra::Algebraic;
 use super::{
     Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast, mapped,
 };
+use crate::motion::Jet;
 use linkdyn_linear::math::{Real, Vec2, Vector, perp};
 
 /// Two wheels that mesh.
@@ -158,6 +160,16 @@ impl Constraint for Gear {
     }
 
     abreast!();
+
+    fn algebra(&self, _drive: &[Jet]) -> Vec<Algebraic> {
+        vec![Algebraic::Angles {
+            first: self.first.body,
+            second: self.second.body,
+            carrier: self.carrier,
+            ratio: self.ratio,
+            angle: self.angle,
+        }]
+    }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {
         let (_, t) = self.directions(at);

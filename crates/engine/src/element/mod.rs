@@ -19,6 +19,7 @@
 //! bundled model that uses it, a row in `docs/format.md`.
 
 pub mod actuator;
+pub mod algebra;
 pub mod beam;
 pub mod belt;
 pub mod bushing;
@@ -61,6 +62,7 @@ pub mod yielding;
 pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
 
 use crate::motion::Jet;
+use algebra::{Algebraic, Form};
 use linkdyn_linear::math::{Lanes, Real, Vec2, Vector, perp};
 use std::sync::Arc;
 use touch::Contact;
@@ -156,6 +158,13 @@ pub struct Marker<T = f64> {
     pub body: BodyId,
     /// The point in the frame of the body.
     pub s: Vector<T>,
+}
+
+impl Marker {
+    /// The vector from this point to another.
+    pub(crate) fn form_to(&self, other: &Marker) -> Form {
+        Form::point(other.body, other.s).minus(Form::point(self.body, self.s))
+    }
 }
 
 impl<T: Real> Marker<T> {
@@ -259,6 +268,10 @@ pub trait Constraint: Equations {
     }
     /// Force on the second body (global axes) \[N\] and torque [N·m] that the multipliers mean.
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64);
+    /// The rows as polynomials, where drivers have these values; none if they are none.
+    fn algebra(&self, _drive: &[Jet]) -> Vec<Algebraic> {
+        Vec::new()
+    }
     /// The same equations with other numbers of the two bodies; `None` if they are more than geometry between two bodies
     /// (drivers, gears, journals).
     fn between(&self, _id: &dyn Fn(BodyId) -> BodyId) -> Option<Arc<dyn Constraint>> {

@@ -10,9 +10,11 @@
 //!
 //! λ₁ n is the force and λ₂ the torque of the first body on the second, at the second body's point.
 
+use super::algebra::Algebraic;
 use super::{
     Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast, mapped,
 };
+use crate::motion::Jet;
 use linkdyn_linear::math::{Real, Vec2, Vector, perp};
 use std::sync::Arc;
 
@@ -37,6 +39,14 @@ pub(super) struct Slide<T = f64> {
     pub d: Vector<T>,
     pub rho1: Vector<T>,
     pub rho2: Vector<T>,
+}
+
+impl Guide {
+    /// The second point is on the line.
+    pub(super) fn on_line(&self) -> Algebraic {
+        let way = self.first.form_to(&self.second);
+        Algebraic::along(self.first.body, perp(self.axis), way, 0.0)
+    }
 }
 
 impl<T: Real> Guide<T> {
@@ -212,6 +222,14 @@ impl Constraint for Prismatic {
 
     fn is_linear(&self, row: usize) -> bool {
         row == 1
+    }
+
+    fn algebra(&self, _drive: &[Jet]) -> Vec<Algebraic> {
+        let [first, second] = [self.guide.first.body, self.guide.second.body];
+        vec![
+            self.guide.on_line(),
+            Algebraic::tied(first, second, self.angle),
+        ]
     }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -10,9 +10,11 @@
 //! λ is the force of the first body on the second, at the second body's point.
 //! With an offset the joint is the massless equivalent clearance link of Earles and Wu (1972): e = journal − bearing.
 
+use super::algebra::Algebraic;
 use super::{
     Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope, abreast,
 };
+use crate::motion::Jet;
 use linkdyn_linear::math::{Real, Vec2, Vector};
 use std::sync::Arc;
 
@@ -132,6 +134,13 @@ impl Constraint for Revolute {
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
         let force = Vec2::new(lambda[0], lambda[1]);
         point_bend(at, (&self.first, &self.second), force, values);
+    }
+
+    fn algebra(&self, _drive: &[Jet]) -> Vec<Algebraic> {
+        match self.offset {
+            None => Algebraic::zero(self.first.form_to(&self.second)).to_vec(),
+            Some(_) => Vec::new(),
+        }
     }
 
     fn reaction(&self, _at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

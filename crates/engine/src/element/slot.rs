@@ -11,8 +11,10 @@
 //! λ n is the force of the first body on the second, at the second body's point.
 //! The row is the first of a prismatic joint with the same guide.
 
+use super::algebra::Algebraic;
 use super::prismatic::Guide;
 use super::{BodyId, Constraint, Entry, Equations, Kinematics, Measure, Slope, abreast};
+use crate::motion::Jet;
 use linkdyn_linear::math::{Real, Vec2};
 use std::sync::Arc;
 
@@ -66,6 +68,10 @@ impl Constraint for Slot {
     fn bend(&self, at: &Kinematics, lambda: &[f64], values: &mut [f64]) {
         let n = self.guide.at(at).n;
         values.copy_from_slice(&self.guide.bend(at, n, -lambda[0]));
+    }
+
+    fn algebra(&self, _drive: &[Jet]) -> Vec<Algebraic> {
+        vec![self.guide.on_line()]
     }
 
     fn reaction(&self, at: &Kinematics, lambda: &[f64]) -> (Vec2, f64) {

@@ -96,6 +96,19 @@ pub fn close_proven(system: &System, blocks: &[&Block], guess: &[f64], inputs: &
     search.closed(iterations, proven)
 }
 
+/// Moves `guess` onto the constraints; whether it is proven that this is the only position at this place.
+pub fn close_certified(
+    system: &System,
+    blocks: &[&Block],
+    guess: &[f64],
+    inputs: &Inputs,
+) -> Closed {
+    let mut search = Search::new(system, blocks, 1.0, guess, inputs);
+    let iterations = search.run();
+    let proven = search.certifies();
+    search.closed(iterations, proven)
+}
+
 /// What became of one step.
 enum Step {
     /// The damped matrix has no factors.

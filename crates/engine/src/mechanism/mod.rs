@@ -1,6 +1,7 @@
 //! The solves of a mechanism: closing, following a path, reactions, reduction to few coordinates.
 //!
 //! ```text
+//! assemblies        all positions that close
 //! closing           assembly from rough guesses (Levenberg–Marquardt)
 //! failure           why there is no solution
 //! least_velocity    velocities to start with
@@ -19,6 +20,7 @@
 //! ```
 
 pub(crate) mod abreast;
+pub mod assemblies;
 pub(crate) mod branching;
 pub(crate) mod closing;
 pub mod continuation;

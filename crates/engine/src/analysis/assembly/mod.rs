@@ -20,8 +20,8 @@ pub use assembled::Assembled;
 pub use determined::check_driven;
 pub use limits::too_short;
 pub use mobility::{counted, ranked, topology};
-pub use ranks::ranks;
 pub(super) use ranks::tangent;
+pub use ranks::{dependent_and_free, ranks};
 pub use velocities::{velocities, velocities_near};
 
 use super::control::Stop;

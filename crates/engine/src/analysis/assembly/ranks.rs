@@ -41,6 +41,38 @@ pub(super) fn with_starts(system: &System, q: &[f64], inputs: &Inputs) -> RankRe
     independent_rows(&rows, DEPENDENCE_TOLERANCE)
 }
 
+/// Rows that follow from others at `q`, initial values behind all others, and coordinates that are free there, one for each freedom: turns
+/// before places, bodies in their order.
+pub fn dependent_and_free(system: &System, q: &[f64], inputs: &Inputs) -> (Vec<usize>, Vec<usize>) {
+    let mut evaluation = Evaluation::new(system);
+    evaluation.set_position(q);
+    evaluation.eval_jacobian(system, inputs);
+    let known = |x: f64| if x.is_finite() { x } else { 0.0 };
+    let of_joints = entries(system, &evaluation.jacobian, system.m());
+    let mut all: Vec<_> = of_joints
+        .map(|(row, column, x)| (row, column, known(x)))
+        .collect();
+    let at = evaluation.kinematics(inputs);
+    for (k, start) in system.starts.iter().enumerate() {
+        let row = start_row(system, start, &at).into_iter();
+        all.extend(row.map(|(column, value)| (system.m() + k, column, known(value))));
+    }
+    let own = system.m() + system.starts.len();
+    let bodies = system.layout.bodies();
+    let columns: Vec<usize> = bodies
+        .flat_map(|body| [body.theta(), body.x(), body.y()])
+        .collect();
+    let units = columns.iter().enumerate();
+    all.extend(units.map(|(k, column)| (own + k, *column, 1.0)));
+    let rows = SparseRows::from_triplets(own + columns.len(), system.n(), &all)
+        .unwrap_or_else(|bad| unreachable!("row {} has finite entries", bad.row));
+    let report = independent_rows(&rows, DEPENDENCE_TOLERANCE);
+    let dependent = report.dependent.iter().map(|one| one.row);
+    let free = report.independent.iter();
+    let free = free.filter_map(|row| columns.get(row.checked_sub(own)?).copied());
+    (dependent.filter(|row| *row < own).collect(), free.collect())
+}
+
 /// The scaled row of an initial value, as column and value.
 pub(super) fn start_row(system: &System, start: &Coordinate, at: &Kinematics) -> Vec<(usize, f64)> {
     let entries = start.entries();

@@ -18,6 +18,8 @@ use linkdyn_linear::math::dot;
 /// Largest h, and largest β L r with the distance r of the position found.
 const PROVES: f64 = 0.25;
 const WITHIN: f64 = 0.5;
+/// β above which damping hides that J̃ loses its rank.
+const MOST_INVERSE: f64 = 1e4;
 /// Inverse iterations for the smallest singular value.
 const ITERATIONS: usize = 6;
 /// Residual of drivers and initial values below which they are where they are drawn, scaled \[–\].
@@ -48,6 +50,19 @@ impl Search<'_> {
             .sum();
         let certainty = self.inverse_norm() * self.lipschitz();
         (certainty * eta <= PROVES).then_some(certainty)
+    }
+
+    /// Whether one position, and one alone, closes near this one: h with all rows, where J̃ is far from losing rank.
+    pub(super) fn certifies(&mut self) -> bool {
+        if !self.factor(LEAST_DAMPING) {
+            return false;
+        }
+        let beta = self.inverse_norm();
+        let phi = self.phi.clone();
+        let n = self.q.len();
+        let step = &self.solve(&phi)[..n];
+        let eta = dot(step, step).sqrt();
+        beta <= MOST_INVERSE && beta * self.lipschitz() * eta <= PROVES
     }
 
     /// Whether the position found is near enough to a guess that proves it.
