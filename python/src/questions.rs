@@ -77,6 +77,9 @@ pub fn modes(py: Python<'_>, model: &Mechanism, pose: bool) -> PyResult<Stopped<
     })
 }
 
+/// Assemblies, and the model in which one of them is drawn.
+type Taken = (Told, Option<Mechanism>);
+
 /// All assemblies at an instant, and where one is asked for, counted from 1, the model in which it is drawn.
 #[pyfunction]
 pub fn assemblies(
@@ -85,7 +88,7 @@ pub fn assemblies(
     at: f64,
     most: usize,
     take: Option<usize>,
-) -> PyResult<Stopped<Option<(Told, Option<Mechanism>)>>> {
+) -> PyResult<Stopped<Option<Taken>>> {
     let mechanism = model.own();
     asked(py, None, move |control| {
         let found = mechanism.ask(&Assemblies { at, most }, control)?;

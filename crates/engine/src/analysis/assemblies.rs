@@ -5,7 +5,7 @@ use super::control::Control;
 use crate::element::{Axis, BodyId, Measure};
 pub use crate::mechanism::assemblies::circuits::Turning;
 use crate::mechanism::assemblies::circuits::{DriverValues, circuits};
-use crate::mechanism::assemblies::{Assemblies, Known, assemblies, same};
+use crate::mechanism::assemblies::{Assemblies, KnownPosition, assemblies, same};
 use crate::system::{Block, DriverData, Inputs, System, compile::compile};
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{AnalysisKind, Checked};
@@ -113,7 +113,7 @@ impl DrawnSystem {
     }
 
     fn assemblies(&self, inputs: &Inputs, most: usize) -> Assemblies {
-        let known = Known {
+        let known = KnownPosition {
             q: self.q.as_ref().unwrap_or(&self.system.guess),
             dependent: &self.dependent,
             free: &self.free,

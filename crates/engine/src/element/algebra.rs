@@ -22,17 +22,17 @@ pub enum FormPart {
 
 /// Σ c r or c Θ of bodies.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Form(pub Vec<(BodyId, FormPart, Number)>);
+pub struct LinearForm(pub Vec<(BodyId, FormPart, Number)>);
 
-impl Form {
+impl LinearForm {
     /// A constant: a part of the turn of the ground, which is 1.
     pub fn constant(value: Number) -> Self {
-        Form(vec![(BodyId::GROUND, FormPart::Turn, value)])
+        LinearForm(vec![(BodyId::GROUND, FormPart::Turn, value)])
     }
 
     /// The place of a point of a body.
     pub fn point(body: BodyId, s: Vec2) -> Self {
-        Form(vec![
+        LinearForm(vec![
             (body, FormPart::Place, 1.0.into()),
             (body, FormPart::Turn, complex(s)),
         ])
@@ -40,7 +40,7 @@ impl Form {
 
     /// A vector of a body, in the ground's axes.
     pub fn turned(body: BodyId, vector: Vec2) -> Self {
-        Form(vec![(body, FormPart::Turn, complex(vector))])
+        LinearForm(vec![(body, FormPart::Turn, complex(vector))])
     }
 
     /// The form times a number.
@@ -50,7 +50,7 @@ impl Form {
     }
 
     /// The difference.
-    pub fn minus(mut self, other: Form) -> Self {
+    pub fn minus(mut self, other: LinearForm) -> Self {
         self.0.extend(other.times(Number::from(-1.0)).0);
         self
     }
@@ -60,13 +60,13 @@ impl Form {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Algebraic {
     /// Re P = 0.
-    Real(Form),
+    Real(LinearForm),
     /// Im P = 0, of the form of the row before.
-    Imaginary(Form),
+    Imaginary(LinearForm),
     /// Re(P Q̄) = 0.
-    Across(Form, Form),
+    Across(LinearForm, LinearForm),
     /// |P| = ℓ.
-    Length(Form, f64),
+    Length(LinearForm, f64),
     /// θ₂ = κ θ₁ + (1 − κ) θ_c + β; of κ = 1 two bodies that turn alike.
     Angles {
         /// The body of θ₁.
@@ -84,7 +84,7 @@ pub enum Algebraic {
 
 impl Algebraic {
     /// P = 0, as of two points that coincide.
-    pub fn zero(form: Form) -> [Self; 2] {
+    pub fn zero(form: LinearForm) -> [Self; 2] {
         [Algebraic::Real(form.clone()), Algebraic::Imaginary(form)]
     }
 
@@ -100,8 +100,8 @@ impl Algebraic {
     }
 
     /// u·d = s for a unit vector u of a body.
-    pub fn along(body: BodyId, u: Vec2, d: Form, s: f64) -> Self {
-        let u = Form::turned(body, u);
+    pub fn along(body: BodyId, u: Vec2, d: LinearForm, s: f64) -> Self {
+        let u = LinearForm::turned(body, u);
         Algebraic::Across(d.minus(u.clone().times(s.into())), u)
     }
 }

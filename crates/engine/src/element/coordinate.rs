@@ -6,7 +6,7 @@
 //!
 //! with f of a driver that leads it from where it is drawn, if there is one.
 
-use super::algebra::{Algebraic, Form};
+use super::algebra::{Algebraic, LinearForm};
 use super::driven::DriveId;
 use super::{Axis, BodyId, Constraint, Entry, Equations, Kinematics, Marker, Measure, Slope};
 use crate::motion::Jet;
@@ -108,8 +108,9 @@ impl Constraint for Coordinate {
 
     fn algebra(&self, drive: &[Jet]) -> Vec<Algebraic> {
         let value = self.value + self.drive.map_or(0.0, |own| drive[own.0][0]);
-        let off =
-            |at: Number| Form::point(self.origin.body, self.origin.s).minus(Form::constant(at));
+        let off = |at: Number| {
+            LinearForm::point(self.origin.body, self.origin.s).minus(LinearForm::constant(at))
+        };
         vec![match self.axis {
             Axis::X => Algebraic::Real(off(Number::new(value, 0.0))),
             Axis::Y => Algebraic::Imaginary(off(Number::new(0.0, value))),

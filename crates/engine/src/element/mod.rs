@@ -62,7 +62,7 @@ pub mod yielding;
 pub use coordinates::{Axis, BodyColumns, BodyId, Layout};
 
 use crate::motion::Jet;
-use algebra::{Algebraic, Form};
+use algebra::{Algebraic, LinearForm};
 use linkdyn_linear::math::{Lanes, Real, Vec2, Vector, perp};
 use std::sync::Arc;
 use touch::Contact;
@@ -162,8 +162,8 @@ pub struct Marker<T = f64> {
 
 impl Marker {
     /// The vector from this point to another.
-    pub(crate) fn form_to(&self, other: &Marker) -> Form {
-        Form::point(other.body, other.s).minus(Form::point(self.body, self.s))
+    pub(crate) fn form_to(&self, other: &Marker) -> LinearForm {
+        LinearForm::point(other.body, other.s).minus(LinearForm::point(self.body, self.s))
     }
 }
 

@@ -132,7 +132,7 @@ struct CircuitWalk<'a> {
 
 /// A point of the curve.
 #[derive(Clone)]
-struct CurvePoint {
+struct CircuitPoint {
     q: Vec<f64>,
     /// Scaled (n).
     tangent: DVector<f64>,
@@ -192,7 +192,7 @@ impl<'a> CircuitWalk<'a> {
                 members: vec![],
                 is_closed: false,
             };
-            let other = CurvePoint {
+            let other = CircuitPoint {
                 tangent: -first.tangent,
                 rate: -first.rate,
                 sign: -first.sign,
@@ -213,7 +213,7 @@ impl<'a> CircuitWalk<'a> {
         circuit
     }
 
-    fn first(&mut self, q: Vec<f64>, s: f64) -> Option<CurvePoint> {
+    fn first(&mut self, q: Vec<f64>, s: f64) -> Option<CircuitPoint> {
         let n = q.len();
         let matrix = self.matrix(&q);
         // The null vector by the smallest singular value.
@@ -225,7 +225,7 @@ impl<'a> CircuitWalk<'a> {
             square
         };
         let tangent = square.svd(false, true).v_t?.row(n - 1).transpose();
-        let mut point = CurvePoint {
+        let mut point = CircuitPoint {
             tangent,
             s,
             rate: 0.0,
@@ -243,7 +243,7 @@ impl<'a> CircuitWalk<'a> {
     /// Goes on from a point until the start is there again; what ends it otherwise.
     fn march(
         &mut self,
-        first: CurvePoint,
+        first: CircuitPoint,
         circuit: &mut Circuit,
         all: &mut [Assemblies],
     ) -> Option<TurningPoint> {
@@ -318,7 +318,7 @@ impl<'a> CircuitWalk<'a> {
         ]
     }
 
-    fn turning(&self, kind: Turning, at: &CurvePoint) -> TurningPoint {
+    fn turning(&self, kind: Turning, at: &CircuitPoint) -> TurningPoint {
         TurningPoint {
             kind,
             value: at.s,
@@ -351,7 +351,7 @@ impl<'a> CircuitWalk<'a> {
     }
 
     /// The position where the driver has a value between two points.
-    fn at_value(&mut self, from: &CurvePoint, to: &CurvePoint, value: f64) -> Option<Vec<f64>> {
+    fn at_value(&mut self, from: &CircuitPoint, to: &CircuitPoint, value: f64) -> Option<Vec<f64>> {
         let part = (value - from.s) / (to.s - from.s);
         let between: Vec<f64> = from
             .q
@@ -367,7 +367,12 @@ impl<'a> CircuitWalk<'a> {
     }
 
     /// Where a function of the point changes its sign within a step.
-    fn locate(&mut self, from: &CurvePoint, h: f64, of: fn(&CurvePoint) -> f64) -> CurvePoint {
+    fn locate(
+        &mut self,
+        from: &CircuitPoint,
+        h: f64,
+        of: fn(&CircuitPoint) -> f64,
+    ) -> CircuitPoint {
         let (mut low, mut high) = (0.0, h);
         let mut best = from.clone();
         for _ in 0..HALVINGS {
@@ -386,7 +391,7 @@ impl<'a> CircuitWalk<'a> {
     }
 
     /// A step of length h; `None` if it is too long.
-    fn step(&mut self, from: &CurvePoint, h: f64) -> Option<CurvePoint> {
+    fn step(&mut self, from: &CircuitPoint, h: f64) -> Option<CircuitPoint> {
         let n = from.q.len();
         let mut q: Vec<f64> = (0..n)
             .map(|k| from.q[k] + h * from.tangent[k] * self.system.column_scale(k))
@@ -419,7 +424,7 @@ impl<'a> CircuitWalk<'a> {
             before = size;
         }
         point?;
-        let mut next = CurvePoint {
+        let mut next = CircuitPoint {
             q,
             tangent: from.tangent.clone(),
             s: from.s,
@@ -431,7 +436,7 @@ impl<'a> CircuitWalk<'a> {
     }
 
     /// Tangent, value, rate and sign of the determinant at a point whose tangent is nearly that of it.
-    fn complete(&mut self, point: &mut CurvePoint) -> Option<()> {
+    fn complete(&mut self, point: &mut CircuitPoint) -> Option<()> {
         let n = point.q.len();
         let matrix = self.matrix(&point.q);
         let mut bordered = DMatrix::zeros(n, n);

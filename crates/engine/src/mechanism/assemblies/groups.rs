@@ -4,7 +4,7 @@
 //! other are a group (strongly connected components: petgraph, Tarjan 1972; Servatius, Shai and Whiteley, European J. Combinatorics 31, 2010).
 //! A dyad is a group of two bodies, one loop; the triad of four bodies and six pins has two.
 
-use crate::element::algebra::{Algebraic, Form, FormPart};
+use crate::element::algebra::{Algebraic, FormPart, LinearForm};
 use crate::element::{Axis, BodyId};
 use crate::graph::waiting_groups;
 use crate::motion::Jet;
@@ -31,7 +31,7 @@ pub(super) struct Group {
 
 /// What is known of a mechanism beforehand.
 #[derive(Debug, Clone, Copy)]
-pub struct Known<'a> {
+pub struct KnownPosition<'a> {
     /// A position: coordinates that are free stay as there, and angles are counted from there (n).
     pub q: &'a [f64],
     /// Rows that follow from others.
@@ -51,7 +51,7 @@ pub(super) struct Groups {
 
 impl Groups {
     /// Of blocks, where drivers have the values `drive`.
-    pub fn new(system: &System, blocks: &[&Block], drive: &[Jet], known: &Known) -> Self {
+    pub fn new(system: &System, blocks: &[&Block], drive: &[Jet], known: &KnownPosition) -> Self {
         let mut rows: Vec<PolynomialRow> = Vec::new();
         for block in blocks {
             let mut own: Vec<PolynomialRow> = block
@@ -116,8 +116,8 @@ fn column_body(system: &System, column: usize) -> usize {
 /// A row that leaves a coordinate where it is.
 fn hold(body: BodyId, axis: Axis, value: f64, column: usize) -> PolynomialRow {
     let off = |at: Number| {
-        let place = Form(vec![(body, FormPart::Place, 1.0.into())]);
-        place.minus(Form::constant(at))
+        let place = LinearForm(vec![(body, FormPart::Place, 1.0.into())]);
+        place.minus(LinearForm::constant(at))
     };
     let algebra = match axis {
         Axis::X => Algebraic::Real(off(Number::new(value, 0.0))),

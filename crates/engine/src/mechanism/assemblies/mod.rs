@@ -18,7 +18,7 @@ use super::closing::{Closed, close_certified};
 use crate::element::{Axis, BodyId};
 use crate::system::{Block, Inputs, System};
 use groups::Groups;
-pub use groups::Known;
+pub use groups::KnownPosition;
 use linkdyn_linear::bilinear::Number;
 use polynomial::{BodyPlace, placed};
 use std::f64::consts::TAU;
@@ -75,7 +75,7 @@ pub fn assemblies(
     system: &System,
     blocks: &[&Block],
     inputs: &Inputs,
-    known: &Known,
+    known: &KnownPosition,
     most: usize,
 ) -> Assemblies {
     let groups = Groups::new(system, blocks, &inputs.drive, known);

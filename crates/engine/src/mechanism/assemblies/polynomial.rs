@@ -11,7 +11,7 @@
 
 use super::groups::{Group, PolynomialRow};
 use crate::element::BodyId;
-use crate::element::algebra::{Algebraic, Form, FormPart};
+use crate::element::algebra::{Algebraic, FormPart, LinearForm};
 use linkdyn_linear::bilinear::{BilinearEquation, Number, Random, Root, roots};
 
 /// A place: r by the mechanism's size, θ \[rad\].
@@ -70,7 +70,7 @@ impl Unknowns<'_> {
     }
 
     /// Coefficients of a form, lengths by the mechanism's size; `is_length` of forms in m.
-    fn row(&self, form: &Form, is_length: bool) -> Vec<Number> {
+    fn row(&self, form: &LinearForm, is_length: bool) -> Vec<Number> {
         let size = if is_length { self.size } else { 1.0 };
         let mut row = vec![Number::new(0.0, 0.0); self.len()];
         for (body, part, factor) in &form.0 {
@@ -128,7 +128,7 @@ pub(super) fn placed(
         classes,
     };
     let rows = Sided::new(&unknowns, &own);
-    let Some(reduced) = Reduced::new(&rows, &rows.conjugate(), unknowns.len()) else {
+    let Some(reduced) = BilinearSystem::new(&rows, &rows.conjugate(), unknowns.len()) else {
         // Pins that contradict each other: no place at all.
         return Some(GroupPlaces {
             places: Vec::new(),
@@ -262,7 +262,7 @@ impl Sided {
                     .collect()
                 })
             };
-            let reduced = Reduced::new(&side(), &side(), unknowns)?;
+            let reduced = BilinearSystem::new(&side(), &side(), unknowns)?;
             let found = roots(&reduced.equations, reduced.p());
             (found.lost == 0).then_some(found.regular.len())
         };
@@ -272,13 +272,13 @@ impl Sided {
 }
 
 /// The equations in y and ȳ.
-struct Reduced {
+struct BilinearSystem {
     equations: Vec<BilinearEquation>,
     /// N: the unknowns over (1, y).
     basis: Vec<Vec<Number>>,
 }
 
-impl Reduced {
+impl BilinearSystem {
     /// From the rows of both sides; `None` if they contradict each other.
     fn new(rows: &Sided, conjugate: &Sided, n: usize) -> Option<Self> {
         let basis = solved(rows.linear.clone(), n)?;
@@ -301,7 +301,7 @@ impl Reduced {
         let lengths = lengths.map(|((own, length), (bar, _))| {
             square(over(own, &basis), over(bar, &other), length * length)
         });
-        Some(Reduced {
+        Some(BilinearSystem {
             equations: products.chain(lengths).collect(),
             basis,
         })
