@@ -116,6 +116,9 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         true => tell_json(&found)?,
         false => tell(found.text(), &written)?,
     }
+    if interrupt::is_set() {
+        return Ok(Exit::Interrupted);
+    }
     if found.found.found.is_empty() {
         complain("there is no assembly: `linkdyn check` tells which loop does not close");
         return Ok(Exit::from(Status::AssemblyFailed));

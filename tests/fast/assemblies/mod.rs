@@ -5,11 +5,12 @@ mod refused;
 mod search;
 
 use crate::mechanisms::*;
-use linkdyn_engine::analysis::{AllAssemblies, all_assemblies};
+use linkdyn_engine::analysis::{AllAssemblies, Control, all_assemblies};
 use serde_json::{Value, json};
 
 fn all(model: &Value) -> AllAssemblies {
-    all_assemblies(&loaded(model).model, 0.0, 1000).unwrap_or_else(|said| panic!("{said:?}"))
+    all_assemblies(&loaded(model).model, 0.0, 1000, &Control::default())
+        .unwrap_or_else(|said| panic!("{said:?}"))
 }
 
 fn bundled(name: &str) -> Value {

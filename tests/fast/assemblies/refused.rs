@@ -1,7 +1,7 @@
 //! What is asked for wrongly.
 
 use super::*;
-use linkdyn_engine::analysis::{CircuitsQuestion, Control, all_circuits};
+use linkdyn_engine::analysis::{CircuitsQuestion, all_circuits};
 
 fn refused(model: &Value, question: &CircuitsQuestion) -> String {
     let said = all_circuits(&loaded(model).model, question, &Control::default());

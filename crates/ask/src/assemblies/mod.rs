@@ -47,14 +47,14 @@ pub struct AssembliesFound {
 impl Question for Assemblies {
     type Answer = AssembliesFound;
 
-    fn answer(&self, file: &ModelFile, _control: &Control) -> Result<AssembliesFound, Unanswered> {
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<AssembliesFound, Unanswered> {
         if self.most == 0 {
             return Err(Unanswered::question("--most 0: look for one at least"));
         }
         if !self.at.is_finite() {
             return Err(Unanswered::question("--at: the time must be finite"));
         }
-        let found = all_assemblies(file.model(), self.at, self.most);
+        let found = all_assemblies(file.model(), self.at, self.most, control);
         Ok(AssembliesFound {
             file: file.clone(),
             asked: self.clone(),

@@ -62,12 +62,13 @@ pub fn all_assemblies(
     model: &Checked,
     time: f64,
     most: usize,
+    control: &Control,
 ) -> Result<AllAssemblies, Complaints> {
     if !time.is_finite() {
         return Err(vec![Complaint::new("--at", "the time must be finite")].into());
     }
     let drawn = DrawnSystem::new(model, time)?;
-    let all = drawn.assemblies(&drawn.inputs, most);
+    let all = drawn.assemblies(&drawn.inputs, most, control);
     Ok(answer(&drawn, &all))
 }
 
@@ -112,13 +113,14 @@ impl DrawnSystem {
             .collect()
     }
 
-    fn assemblies(&self, inputs: &Inputs, most: usize) -> Assemblies {
+    fn assemblies(&self, inputs: &Inputs, most: usize, control: &Control) -> Assemblies {
         let known = KnownPosition {
             q: self.q.as_ref().unwrap_or(&self.system.guess),
             dependent: &self.dependent,
             free: &self.free,
         };
-        assemblies(&self.system, &self.blocks(), inputs, &known, most)
+        let stop = || control.stop().is_some();
+        assemblies(&self.system, &self.blocks(), inputs, &known, most, &stop)
     }
 
     /// The driver of a name, or the only one.
@@ -272,7 +274,7 @@ pub fn all_circuits(
             return Ok(None);
         }
         inputs.drive[driver][0] = *value;
-        all.push(drawn.assemblies(&inputs, question.most));
+        all.push(drawn.assemblies(&inputs, question.most, control));
     }
     let values_of = DriverValues {
         driver,
@@ -411,6 +413,9 @@ fn body_name(system: &System, body: BodyId) -> String {
 /// Why there may be more assemblies.
 fn doubts(system: &System, all: &Assemblies) -> Vec<String> {
     let mut doubts = Vec::new();
+    if all.is_stopped {
+        doubts.push("the search was interrupted".to_owned());
+    }
     if all.is_cut {
         doubts.push("there are more than were asked for".to_owned());
     }
@@ -426,7 +431,7 @@ fn doubts(system: &System, all: &Assemblies) -> Vec<String> {
                 several => format!("the places of {} are", several.join(", ")),
             }
         ));
-    } else if !all.is_complete && !all.is_cut {
+    } else if !all.is_complete && !all.is_cut && !all.is_stopped {
         doubts.push("a path to a root was lost".to_owned());
     }
     doubts

@@ -68,15 +68,18 @@ pub struct Assemblies {
     pub is_singular: bool,
     /// Whether there are more than were asked for.
     pub is_cut: bool,
+    /// Whether the search was given up.
+    pub is_stopped: bool,
 }
 
-/// All assemblies by `blocks` at `inputs`, at most so many.
+/// All assemblies by `blocks` at `inputs`, at most so many; `stop` is asked whether to give up.
 pub fn assemblies(
     system: &System,
     blocks: &[&Block],
     inputs: &Inputs,
     known: &KnownPosition,
     most: usize,
+    stop: &dyn Fn() -> bool,
 ) -> Assemblies {
     let groups = Groups::new(system, blocks, &inputs.drive, known);
     let found = groups.groups.iter().map(|group| AssurGroup {
@@ -91,6 +94,7 @@ pub fn assemblies(
         inputs,
         held: known.q,
         most,
+        stop,
         known: vec![None; system.layout.bodies().len() + 1],
         expected: vec![None; groups.groups.len()],
         is_unsolved: false,
@@ -101,6 +105,7 @@ pub fn assemblies(
             is_complete: true,
             is_singular: false,
             is_cut: false,
+            is_stopped: false,
         },
     };
     tree.descend(&groups, 0);
@@ -108,7 +113,7 @@ pub fn assemblies(
         tree.search(&groups);
     }
     let mut found = tree.found;
-    found.is_complete &= !found.is_cut;
+    found.is_complete &= !found.is_cut && !found.is_stopped;
     found
 }
 
@@ -136,6 +141,7 @@ struct Tree<'a> {
     inputs: &'a Inputs,
     held: &'a [f64],
     most: usize,
+    stop: &'a dyn Fn() -> bool,
     known: Vec<Option<BodyPlace>>,
     /// By group the number of isolated places that random dimensions have, once it was asked for.
     expected: Vec<Option<Option<usize>>>,
@@ -145,7 +151,8 @@ struct Tree<'a> {
 
 impl Tree<'_> {
     fn descend(&mut self, groups: &Groups, level: usize) {
-        if self.found.is_cut || self.is_unsolved {
+        self.found.is_stopped = self.found.is_stopped || (self.stop)();
+        if self.found.is_cut || self.found.is_stopped || self.is_unsolved {
             return;
         }
         let Some(group) = groups.groups.get(level) else {
@@ -270,7 +277,8 @@ impl Tree<'_> {
                 }
             }
             self.take(groups, &q);
-            if self.found.is_cut {
+            self.found.is_stopped = (self.stop)();
+            if self.found.is_cut || self.found.is_stopped {
                 break;
             }
         }
