@@ -7,9 +7,11 @@ use std::f64::consts::TAU;
 /// A linkage of pins and guides; coordinates are x, y, θ of each moving body's frame.
 struct Linkage {
     moving: usize,
-    /// Bodies, points in their frames, and the direction of a guide in the first.
-    joints: Vec<([usize; 2], [[f64; 2]; 2], Option<[f64; 2]>)>,
+    joints: Vec<SearchedJoint>,
 }
+
+/// Bodies, points in their frames, and the direction of a guide in the first.
+type SearchedJoint = ([usize; 2], [[f64; 2]; 2], Option<[f64; 2]>);
 
 impl Linkage {
     /// Drawn at random, all frames in the ground's.
