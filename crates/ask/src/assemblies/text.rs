@@ -43,6 +43,7 @@ impl AssembliesFound {
             found.groups.iter().map(|group| {
                 let bodies = group.bodies.join(", ");
                 match group.loops {
+                    None if found.doubts.is_empty() => bodies,
                     None => format!("{bodies}: searched from many starts"),
                     Some(0) => bodies,
                     Some(loops) => format!(

@@ -64,9 +64,6 @@ pub fn all_assemblies(
     most: usize,
     control: &Control,
 ) -> Result<AllAssemblies, Complaints> {
-    if !time.is_finite() {
-        return Err(vec![Complaint::new("--at", "the time must be finite")].into());
-    }
     let drawn = DrawnSystem::new(model, time)?;
     let all = drawn.assemblies(&drawn.inputs, most, control);
     Ok(answer(&drawn, &all))
@@ -103,6 +100,16 @@ impl DrawnSystem {
             dependent,
             free,
         })
+    }
+
+    /// The same without initial values, which a driver that is led leaves: what they hold stays as it is.
+    fn without_initial(mut self) -> Self {
+        self.system.initial.clear();
+        self.system.starts.clear();
+        if let Some(q) = &self.q {
+            (self.dependent, self.free) = dependent_and_free(&self.system, q, &self.inputs);
+        }
+        self
     }
 
     fn blocks(&self) -> Vec<&Block> {
@@ -243,7 +250,7 @@ pub fn all_circuits(
     question: &CircuitsQuestion,
     control: &Control,
 ) -> Result<Option<AllCircuits>, Complaints> {
-    let drawn = DrawnSystem::new(model, 0.0)?;
+    let drawn = DrawnSystem::new(model, 0.0)?.without_initial();
     let driver = drawn.driver(question.driver.as_deref())?;
     let system = &drawn.system;
     let data = &system.drivers[driver];
@@ -316,6 +323,12 @@ pub fn all_circuits(
         .collect();
     circuits.sort_by_key(|circuit| !circuit.is_drawn);
     let mut doubts: Vec<String> = all.iter().flat_map(|one| doubts(system, one)).collect();
+    if circuits.is_empty() && all.iter().any(|one| !one.found.is_empty()) {
+        doubts.push(
+            "no assembly is proven to be isolated (redundant joints, or special dimensions), and from others no circuit is followed"
+                .to_owned(),
+        );
+    }
     doubts.sort();
     doubts.dedup();
     Ok(Some(AllCircuits {
@@ -423,7 +436,7 @@ fn doubts(system: &System, all: &Assemblies) -> Vec<String> {
     let unsolved: Vec<String> = unsolved
         .flat_map(|group| group.bodies.iter().map(|body| body_name(system, *body)))
         .collect();
-    if !unsolved.is_empty() {
+    if all.is_searched {
         doubts.push(format!(
             "cams, racks, belts, rolling, gears within a loop and elastic links have no polynomials: {} searched for from many starts",
             match &unsolved[..] {

@@ -216,14 +216,13 @@ impl<'a> CircuitWalk<'a> {
     fn first(&mut self, q: Vec<f64>, s: f64) -> Option<CircuitPoint> {
         let n = q.len();
         let matrix = self.matrix(&q);
+        if matrix.nrows() + 1 != n {
+            // Not one freedom: nothing was known of rows that depend on others.
+            return None;
+        }
         // The null vector by the smallest singular value.
-        let square = {
-            let mut square = DMatrix::zeros(n, n);
-            square
-                .rows_mut(0, matrix.nrows().min(n))
-                .copy_from(&matrix.rows(0, matrix.nrows().min(n)));
-            square
-        };
+        let mut square = DMatrix::zeros(n, n);
+        square.rows_mut(0, n - 1).copy_from(&matrix);
         let tangent = square.svd(false, true).v_t?.row(n - 1).transpose();
         let mut point = CircuitPoint {
             tangent,

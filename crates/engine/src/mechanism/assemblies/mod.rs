@@ -68,6 +68,8 @@ pub struct Assemblies {
     pub is_singular: bool,
     /// Whether there are more than were asked for.
     pub is_cut: bool,
+    /// Whether places were searched for from many starts.
+    pub is_searched: bool,
     /// Whether the search was given up.
     pub is_stopped: bool,
 }
@@ -106,6 +108,7 @@ pub fn assemblies(
             is_singular: false,
             is_cut: false,
             is_stopped: false,
+            is_searched: false,
         },
     };
     tree.descend(&groups, 0);
@@ -245,6 +248,7 @@ impl Tree<'_> {
     fn search(&mut self, groups: &Groups) {
         self.found.found.clear();
         self.found.is_complete = false;
+        self.found.is_searched = true;
         let bodies = self.system.layout.bodies().len();
         let mut next: u64 = 1;
         let mut random = move || {
