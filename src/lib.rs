@@ -98,6 +98,7 @@ pub mod ask {
     pub use linkdyn_ask::path_time::{FastestMotion, PathTime};
     pub use linkdyn_ask::state_space::{FrequencyResponse, Linearisation, StateSpace};
     pub use linkdyn_ask::study::{Studied, Study, Varied};
+    pub use linkdyn_ask::synthesise::{Synthesise, Synthesised};
     pub use linkdyn_engine::analysis::Check as Findings;
     pub use linkdyn_study::design::Method;
     pub use linkdyn_variation::Levels;

@@ -6,7 +6,8 @@ use linkdyn_engine::analysis::Control;
 use crate::ask::{
     Accuracy, Allocate, Allocation, Assemblies, AssembliesFound, Check, Circuits, CircuitsFound,
     Compare, Compared, Deviations, Diagnosis, FastestMotion, Linearisation, Modes, Optimise,
-    Optimised, PathTime, Question, SmallMotions, StateSpace, Studied, Study,
+    Optimised, PathTime, Question, SmallMotions, StateSpace, Studied, Study, Synthesise,
+    Synthesised,
 };
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -240,6 +241,25 @@ impl Mechanism {
     /// As [`Mechanism::assemblies`].
     pub fn circuits(&self, question: &Circuits) -> Result<CircuitsFound, Error> {
         self.ask(question, &Control::default())
+    }
+
+    /// Linkages for the task of the file, its `synthesise`.
+    ///
+    /// # Errors
+    /// Where it has no task.
+    ///
+    /// # Examples
+    /// ```
+    /// use linkdyn::prelude::*;
+    ///
+    /// let task = Mechanism::read(r#"{ "format": "linkdyn/1", "units": "SI", "synthesise": {
+    ///     "function": [[1.0, 0.9], [1.5, 1.1], [2.0, 1.4]], "directions": true } }"#)?;
+    /// let found = task.synthesise()?;
+    /// println!("{}", found.text());
+    /// # Ok::<(), linkdyn::Error>(())
+    /// ```
+    pub fn synthesise(&self) -> Result<Synthesised, Error> {
+        self.ask(&Synthesise, &Control::default())
     }
 
     /// The fastest motion of a driver along a stroke, under limits of effort, speed and joint forces.

@@ -20,6 +20,7 @@ recipes     points from a drawing, a cylinder, a motor, a suspension, pandas
 accuracy    what tolerances and clearances do, and how tight they must be
 assemblies  all ways in which a mechanism closes, and the circuits that connect them
 studies     many variants of a model: sweeps, samples of tolerances, clusters
+synthesis   linkages for a wanted path, motion or function
 optimise    parameters that meet a goal, are best, or let a point take a path
 path-time   the fastest motion along a stroke, under limits of effort, speed and pin forces
 python      runs, variants, studies and notebooks in Python
@@ -46,6 +47,7 @@ fn text(page: &str) -> Option<&'static str> {
         "accuracy" => include_str!("../../docs/accuracy.md"),
         "assemblies" => include_str!("../../docs/assemblies.md"),
         "studies" => include_str!("../../docs/studies.md"),
+        "synthesis" => include_str!("../../docs/synthesis.md"),
         "optimise" => include_str!("../../docs/optimise.md"),
         "path-time" => include_str!("../../docs/path-time.md"),
         "python" => include_str!("../../docs/python.md"),

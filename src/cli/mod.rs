@@ -49,6 +49,7 @@ mod schema;
 mod serve;
 mod streams;
 mod study;
+mod synthesise;
 mod threads;
 mod validate;
 mod watch;
@@ -120,6 +121,8 @@ enum Command {
     Study(Box<study::Options>),
     /// Find values of parameters: goals, least or greatest objectives under constraints, paths of points
     Optimise(Box<optimise::Options>),
+    /// Linkages for a wanted path, motion or function: found, put through the engine, ranked
+    Synthesise(synthesise::Options),
     /// The fastest motion along a stroke, under limits of effort, speed and joint forces
     PathTime(Box<path_time::Options>),
     /// Draw result columns as a figure
@@ -194,6 +197,7 @@ impl Command {
             Command::Study(options) => study::execute(&options),
             Command::Optimise(options) => optimise::execute(&options),
             Command::Assemblies(options) => assemblies::execute(&options),
+            Command::Synthesise(options) => synthesise::execute(&options),
             Command::PathTime(options) => path_time::execute(&options),
             Command::Plot(options) => plot::execute(&options),
             Command::Animate(options) => animate::execute(&options),

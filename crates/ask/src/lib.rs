@@ -24,6 +24,7 @@ pub mod run;
 pub mod shape;
 pub mod state_space;
 pub mod study;
+pub mod synthesise;
 pub mod text;
 
 mod broken;

@@ -102,6 +102,11 @@ pub(crate) fn moving(variant: Option<u64>, model: &Checked, outcome: &Outcome) -
     })
 }
 
+/// Times, and x, y and angle of all moving bodies at each, of a run.
+pub(crate) fn poses_of(model: &Checked, outcome: &Outcome) -> Option<(Vec<f64>, Vec<f64>)> {
+    instants(outcome, &Shape::of_model(model))
+}
+
 /// Times, and x, y and angle of all moving bodies at each.
 fn instants(outcome: &Outcome, shape: &Shape) -> Option<(Vec<f64>, Vec<f64>)> {
     let table = outcome.all();

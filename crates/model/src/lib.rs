@@ -26,6 +26,7 @@ pub mod outline;
 mod release;
 pub mod response;
 pub mod study;
+pub mod synthesise;
 pub mod tolerance;
 
 mod carrier;
@@ -96,6 +97,7 @@ pub use section::{LinkMaterial, LinkSection, SectionShape};
 pub use source::Source;
 pub use study::Study;
 pub use suggest::nearest;
+pub use synthesise::Synthesise;
 pub use tolerance::{Distribution, Play, Tolerance};
 pub use units::Unit;
 
@@ -174,6 +176,8 @@ pub struct Model {
     pub study: Option<Study>,
     /// What an optimisation looks for.
     pub optimise: Option<Optimise>,
+    /// What linkages are wanted for.
+    pub synthesise: Option<Synthesise>,
     /// How messages speak of it: the units that the file names.
     #[serde(skip)]
     pub display: DisplayUnits,

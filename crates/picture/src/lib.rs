@@ -27,6 +27,7 @@
 //! | `report`    | shape, summary and results → `report.html`                      |
 //! | `accuracy_page` | levels, contributions, worst configurations → `report.html` of accuracy |
 //! | `charts_page` | figures of curves → a page                                  |
+//! | `films_page` | mechanisms in motion → a page                                |
 //! | `compare_page` | several runs over each other → `compare.html`                |
 //! | `optimise_page` | before and after, history, limits → `report.html` of optimise |
 //! | `study_page` | what was varied, what came of it, motions of variants → `report.html` of study |
@@ -48,6 +49,7 @@ pub mod compare_page;
 mod cut;
 pub mod diagnosis;
 pub mod film;
+pub mod films_page;
 pub mod font;
 pub mod mechanism;
 pub mod optimise_page;
@@ -81,6 +83,7 @@ pub use chart::{Axis, Chart, Curve, Mark, Panel};
 pub use compare_page::{ComparePage, ComparedRun};
 pub use cut::Cut;
 pub use fault::{Fault, MOST_CURVES, MOST_FILM_PIXELS, MOST_PIXELS};
+pub use films_page::{Film, films_page};
 pub use layout::{MovingChart, Side};
 pub use mechanism::Mechanism;
 pub use optimise_page::OptimisePage;

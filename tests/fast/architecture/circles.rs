@@ -15,7 +15,7 @@ use super::source::root;
 use super::sources::Sources;
 
 /// Packages by the name that `use` knows them by, and their folders.
-const PACKAGES: [(&str, &str); 13] = [
+const PACKAGES: [(&str, &str); 14] = [
     ("linkdyn", "src"),
     ("linkdyn_ask", "crates/ask/src"),
     ("linkdyn_engine", "crates/engine/src"),
@@ -27,6 +27,7 @@ const PACKAGES: [(&str, &str); 13] = [
     ("linkdyn_output", "crates/output/src"),
     ("linkdyn_picture", "crates/picture/src"),
     ("linkdyn_study", "crates/study/src"),
+    ("linkdyn_synthesis", "crates/synthesis/src"),
     ("linkdyn_validation", "validation/src"),
     ("linkdyn_variation", "crates/variation/src"),
 ];

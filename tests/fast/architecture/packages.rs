@@ -43,6 +43,7 @@ const PACKAGES: &[(&str, &[&str])] = &[
             "linear",
             "optimise",
             "study",
+            "synthesis",
         ],
     ),
     // The cases: what the engine is held against.
@@ -68,6 +69,8 @@ const PACKAGES: &[(&str, &[&str])] = &[
     ("exchange", &["model"]),
     // Words: what the user wrote.
     ("model", &[]),
+    // Linkages from a wanted motion: numbers only.
+    ("synthesis", &["optimise", "linear"]),
     // Optimisation of functions, whatever they are functions of.
     ("optimise", &["study", "linear"]),
     // Matrices, no mechanism.

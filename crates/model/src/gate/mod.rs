@@ -23,6 +23,7 @@ mod responses;
 mod sections;
 mod states;
 mod stops;
+mod synthesise;
 mod tables;
 mod timed;
 
@@ -152,6 +153,10 @@ fn inspect(model: &Model, holes: Holes) -> Said {
         rules.complaints.push(complaint);
     }
     names::references(&mut rules, &named);
+    if model.bodies.is_empty() && model.synthesise.is_none() && !rules.holes.has("bodies") {
+        let complaint = Complaint::new("bodies", "it is empty, at least one is needed");
+        rules.complaints.push(complaint);
+    }
     rules.bodies();
     sections::sections(&mut rules);
     sections::beams(&mut rules);
@@ -174,6 +179,7 @@ fn inspect(model: &Model, holes: Holes) -> Said {
     outputs::outputs(&mut rules);
     responses::responses(&mut rules);
     optimise::optimise(&mut rules);
+    synthesise::synthesise(&mut rules);
     // A gear's carrier is found along joints, which must be whole for that.
     if rules.complaints.is_empty() && rules.holes.is_empty() {
         let joints = model.joints.iter();

@@ -163,9 +163,6 @@ impl<'t> RangeCheck<'_, 't> {
     }
 
     fn bodies(&mut self, members: &'t IndexMap<String, Tree>) {
-        if members.is_empty() {
-            self.complain("it is empty, at least one is needed");
-        }
         for (name, value) in members {
             self.named(name, value, &Shape::Object(words::object("Body")));
         }

@@ -225,9 +225,7 @@ impl Walk<'_> {
                 let key = either.keys[0];
                 let complaint = Complaint::new(path, format!("{key:?} is missing"));
                 self.complain(node, complaint.hint(hint));
-                if either.exclusive {
-                    self.holes.add(&join(path, key));
-                }
+                self.holes.add(&join(path, key));
             }
             return;
         };

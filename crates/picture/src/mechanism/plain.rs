@@ -4,8 +4,9 @@ use super::moving::Mechanism;
 use super::parts::on_page;
 use super::view::View;
 use crate::fault::Fault;
+use crate::palette::CURVES;
 use crate::poses::Poses;
-use crate::scene::{Place, Scene};
+use crate::scene::{Ink, Pen, Place, Scene};
 use crate::shape::{JointKind, PointId, Shape};
 
 /// Places and names in a drawing.
@@ -44,6 +45,16 @@ impl Mechanism {
         }
         self.draw_pose(&mut scene, &view, time, faded);
         scene
+    }
+
+    /// Marks places [m] in a drawing of that width.
+    pub fn mark(&self, scene: &mut Scene, width: f64, places: &[[f64; 2]]) {
+        let height = self.frame.height(width);
+        let view = View::new(&self.frame, [0.0, 0.0], [width, height]);
+        let pen = Pen::new(Ink::new(CURVES[2]), 1.0);
+        for place in places {
+            scene.circle("wanted", view.place(*place), 2.5, None, Some(pen));
+        }
     }
 
     /// Where the parts of the same pose are.

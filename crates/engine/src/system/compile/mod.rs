@@ -109,9 +109,14 @@ pub fn compile_geometry(model: &Checked) -> Result<System, Complaints> {
 fn lower<'a>(
     model: &'a Model,
     parts: (Joints<'a>, Elastic<'a>),
-    complaints: Vec<Complaint>,
+    mut complaints: Vec<Complaint>,
     currents: Currents,
 ) -> Result<System, Complaints> {
+    // A task has none yet.
+    if model.bodies.is_empty() {
+        let complaint = Complaint::new("bodies", "there are none");
+        complaints.push(complaint.hint("`linkdyn synthesise` finds linkages for a task"));
+    }
     if complaints.is_empty() {
         Ok(Compiler::new(model, parts, currents).build())
     } else {

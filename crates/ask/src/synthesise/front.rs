@@ -1,0 +1,90 @@
+//! The order of designs: fronts of those that no other one beats in everything (Pareto), and within them the angle of transmission.
+
+use super::judged::Design;
+use super::problem::{Goal, Problem};
+use linkdyn_linear::bilinear::Number;
+use std::cmp::Ordering;
+
+/// Differences below this part are none.
+const SAME: f64 = 1e-6;
+/// Errors below this part of the extent are none.
+const NO_ERROR: f64 = 1e-9;
+
+/// What counts, the less the better.
+pub fn costs(design: &Design, problem: &Problem) -> Vec<f64> {
+    let off = design.off.unwrap_or(0.0) / problem.size + design.off_angle.unwrap_or(0.0);
+    let spread = match problem.goal {
+        Goal::Function => design.spread[1] * problem.size,
+        Goal::Path | Goal::Motion => design.spread[0],
+    };
+    let mut costs = vec![
+        if off < NO_ERROR { 0.0 } else { off },
+        design.transmission.map_or(0.0, |angle| -angle),
+        design.size,
+        spread,
+    ];
+    costs.extend(design.effort);
+    costs
+}
+
+/// The best designs, each once.
+pub fn ranked(designs: Vec<Design>, problem: &Problem, most: usize) -> Vec<Design> {
+    let mut own: Vec<(Vec<f64>, Design)> = Vec::new();
+    for design in designs {
+        if !own
+            .iter()
+            .any(|(_, other)| same(other, &design, problem.size))
+        {
+            own.push((costs(&design, problem), design));
+        }
+    }
+    let beats = |a: &[f64], b: &[f64]| {
+        let mut both = a.iter().zip(b);
+        both.clone().all(|(a, b)| a <= b) && both.any(|(a, b)| a < b)
+    };
+    let mut front = 0;
+    while own.iter().any(|(_, design)| design.front == 0) {
+        front += 1;
+        let open: Vec<usize> = (0..own.len()).filter(|k| own[*k].1.front == 0).collect();
+        let best = |k: &&usize| !open.iter().any(|other| beats(&own[*other].0, &own[**k].0));
+        let best: Vec<usize> = open.iter().filter(best).copied().collect();
+        if best.is_empty() {
+            // Costs that are no numbers beat nothing and are beaten by nothing; they don't come here.
+            break;
+        }
+        for k in best {
+            own[k].1.front = front;
+        }
+    }
+    own.sort_by(|(a, one), (b, other)| {
+        let fronts = one.front.cmp(&other.front);
+        // Errors are within a small factor of each other; what a small angle of transmission breaks, no accuracy mends.
+        [
+            fronts,
+            a[1].total_cmp(&b[1]),
+            a[0].total_cmp(&b[0]),
+            a[2].total_cmp(&b[2]),
+        ]
+        .into_iter()
+        .find(|order| *order != Ordering::Equal)
+        .unwrap_or(Ordering::Equal)
+    });
+    own.truncate(most);
+    own.into_iter().map(|(_, design)| design).collect()
+}
+
+/// Whether both are one linkage, driven at one pivot; with its pins in another order too.
+fn same(one: &Design, other: &Design, size: f64) -> bool {
+    let pins = |design: &Design| -> Vec<Number> {
+        let joints = design.candidate.linkage.joints.iter();
+        joints
+            .filter_map(linkdyn_synthesis::linkage::Joint::pin)
+            .collect()
+    };
+    let [a, b] = [pins(one), pins(other)];
+    one.kind == other.kind
+        && a.len() == b.len()
+        && a.iter().zip(&b).all(|(a, b)| (a - b).norm() <= SAME * size)
+        && one.candidate.linkage.output == other.candidate.linkage.output
+        && (one.candidate.linkage.point - other.candidate.linkage.point).norm() <= SAME * size
+}

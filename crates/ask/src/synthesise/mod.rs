@@ -1,0 +1,225 @@
+//! Linkages for a wanted path, motion or function: found, put through the engine, ranked.
+
+mod front;
+mod json;
+mod judged;
+mod page;
+mod problem;
+mod search;
+mod text;
+mod written;
+
+use crate::{ModelFile, Question, Text, Unanswered};
+use front::ranked;
+use judged::{Defect, Design};
+use linkdyn_engine::analysis::Control;
+use linkdyn_model::FileAccess;
+use problem::Problem;
+use rayon::prelude::*;
+use search::Gathered;
+use serde_json::Value;
+
+pub use problem::Goal;
+
+/// Linkages that are kept, and starts, where nobody says.
+pub const MOST: u64 = 20;
+/// As above.
+pub const STARTS: u64 = 200;
+
+/// Asks for linkages that do what the task of the file, `synthesise`, wants.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Synthesise;
+
+/// How candidates of a kind fared.
+#[derive(Debug, Clone, Default)]
+pub struct Tried {
+    /// The kind, `four_bar`.
+    pub kind: String,
+    /// How they were found.
+    pub method: String,
+    /// Whether these are all.
+    pub is_complete: bool,
+    /// What is to be known.
+    pub notes: Vec<String>,
+    /// Candidates, each driven at one of its pivots.
+    pub candidates: usize,
+    /// Those of them without a defect.
+    pub good: usize,
+    /// Pivots or lengths are not as wanted.
+    pub outside: usize,
+    /// Some positions are on another circuit.
+    pub circuit: usize,
+    /// The crank gets stuck on the way.
+    pub branch: usize,
+    /// Another order.
+    pub order: usize,
+    /// The angle of transmission is too small.
+    pub transmission: usize,
+    /// They do not run; the first reason.
+    pub broken: (usize, Option<String>),
+}
+
+/// Linkages that do what was wanted.
+#[derive(Debug, Clone)]
+pub struct Synthesised {
+    /// The task.
+    pub file: ModelFile,
+    problem: Problem,
+    /// How candidates fared.
+    pub tried: Vec<Tried>,
+    /// The best ones, the best first.
+    designs: Vec<Design>,
+}
+
+impl Question for Synthesise {
+    type Answer = Synthesised;
+
+    fn answer(&self, file: &ModelFile, control: &Control) -> Result<Synthesised, Unanswered> {
+        let problem = Problem::of(file)?;
+        let mut all = Fared::default();
+        let stopped = || Unanswered::Interrupted;
+        for kind in problem.kinds() {
+            let exact = problem.exact(kind, control).ok_or_else(stopped)?;
+            let good = exact.map_or(0, |own| all.take(&problem, own, control));
+            // Where none of them is of use, what comes near may be.
+            if good == 0 {
+                for own in problem.sought(kind, control).ok_or_else(stopped)? {
+                    all.take(&problem, own, control);
+                }
+            }
+        }
+        if let Some(bodies) = problem.asked.bodies {
+            let found = problem.sought_in_chains(bodies as usize, control);
+            for own in found.ok_or_else(stopped)? {
+                all.take(&problem, own, control);
+            }
+        }
+        if control.stop().is_some() {
+            return Err(stopped());
+        }
+        let Fared { tried, designs } = all;
+        let most = problem.asked.most.unwrap_or(MOST) as usize;
+        let designs = ranked(designs, &problem, most);
+        Ok(Synthesised {
+            file: file.clone(),
+            problem,
+            tried,
+            designs,
+        })
+    }
+}
+
+/// How all candidates fared.
+#[derive(Default)]
+struct Fared {
+    tried: Vec<Tried>,
+    designs: Vec<Design>,
+}
+
+impl Fared {
+    /// Takes the candidates of a search; how many of them are good.
+    fn take(&mut self, problem: &Problem, own: Gathered, control: &Control) -> usize {
+        let (one, found) = judge(problem, own, control);
+        let good = one.good;
+        // Several choices of crank and output of a kind are told as one.
+        let like = |other: &&mut Tried| other.kind == one.kind && other.method == one.method;
+        match self.tried.iter_mut().find(like) {
+            Some(other) => other.add(one),
+            None => self.tried.push(one),
+        }
+        self.designs.extend(found);
+        good
+    }
+}
+
+fn judge(problem: &Problem, own: Gathered, control: &Control) -> (Tried, Vec<Design>) {
+    let verdicts: Vec<Result<Design, Defect>> = own
+        .candidates
+        .par_iter()
+        .map(|candidate| match control.stop() {
+            Some(_) => Err(Defect::Limits),
+            None => problem.judged(&own, candidate, control),
+        })
+        .collect();
+    let mut tried = Tried {
+        kind: own.kind,
+        method: own.method,
+        is_complete: own.is_complete,
+        notes: own.notes,
+        candidates: verdicts.len(),
+        ..Tried::default()
+    };
+    let mut designs = Vec::new();
+    for verdict in verdicts {
+        match verdict {
+            Ok(design) => {
+                tried.good += 1;
+                designs.push(design);
+            }
+            Err(Defect::Limits) => tried.outside += 1,
+            Err(Defect::Circuit) => tried.circuit += 1,
+            Err(Defect::Branch) => tried.branch += 1,
+            Err(Defect::Order) => tried.order += 1,
+            Err(Defect::Transmission) => tried.transmission += 1,
+            Err(Defect::Run(why)) => {
+                tried.broken.0 += 1;
+                tried.broken.1.get_or_insert(why);
+            }
+        }
+    }
+    (tried, designs)
+}
+
+impl Tried {
+    fn add(&mut self, other: Tried) {
+        self.is_complete &= other.is_complete;
+        self.notes.extend(other.notes);
+        self.candidates += other.candidates;
+        self.good += other.good;
+        self.outside += other.outside;
+        self.circuit += other.circuit;
+        self.branch += other.branch;
+        self.order += other.order;
+        self.transmission += other.transmission;
+        self.broken.0 += other.broken.0;
+        self.broken.1 = self.broken.1.take().or(other.broken.1);
+    }
+}
+
+impl Synthesised {
+    /// How many linkages there are.
+    pub fn count(&self) -> usize {
+        self.designs.len()
+    }
+
+    /// The model of one of them, counted from 1.
+    ///
+    /// # Errors
+    /// Where there is none of that number.
+    pub fn model(&self, number: usize) -> Result<ModelFile, Unanswered> {
+        let count = self.designs.len();
+        let design = number.checked_sub(1).and_then(|k| self.designs.get(k));
+        let Some(design) = design else {
+            return Err(Unanswered::question(format!(
+                "--take {number}: there are {count} linkages"
+            )));
+        };
+        let text = pretty(&design.model);
+        let name = design.kind.replace('_', "-");
+        let text = Text::new(name.clone(), name, text.into_bytes(), FileAccess::default());
+        Ok(ModelFile::read(text, Vec::new())?)
+    }
+
+    /// The text of the model file of one of them, counted from 1.
+    ///
+    /// # Errors
+    /// As [`Synthesised::model`].
+    pub fn print(&self, number: usize) -> Result<String, Unanswered> {
+        self.model(number)?;
+        Ok(pretty(&self.designs[number - 1].model))
+    }
+}
+
+fn pretty(model: &Value) -> String {
+    format!("{model:#}\n")
+}

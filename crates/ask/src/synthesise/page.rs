@@ -1,0 +1,85 @@
+//! The page: each linkage in motion, with what is wanted of it.
+
+use super::Synthesised;
+use super::judged::{Design, read};
+use crate::shape::with_profiles;
+use linkdyn_picture::poses::{Pose, Poses};
+use linkdyn_picture::{Fault, Film, Mechanism, films_page};
+
+/// Pictures of a motion, at most.
+const MOST_ROWS: usize = 64;
+
+impl Synthesised {
+    /// The page; `None` if there is no linkage.
+    ///
+    /// # Errors
+    /// When a linkage can't be drawn.
+    pub fn html(&self) -> Option<Result<String, Fault>> {
+        if self.designs.is_empty() {
+            return None;
+        }
+        let words = self.text().to_string();
+        let mut lines = words.lines();
+        let mut facts: Vec<String> = lines.next().map(str::to_owned).into_iter().collect();
+        for own in &self.tried {
+            facts.push(format!(
+                "{}: {}",
+                own.kind.replace('_', "-"),
+                own.lines().join("; ")
+            ));
+        }
+        let films: Option<Vec<Result<Film, Fault>>> = self
+            .designs
+            .iter()
+            .zip(1..)
+            .map(|(design, number)| self.film(design, number))
+            .collect();
+        let films: Result<Vec<Film>, Fault> = films?.into_iter().collect();
+        let title = format!("{}: linkages", self.file.name());
+        Some(films.map(|films| films_page(&title, &facts, &films)))
+    }
+
+    fn film(&self, design: &Design, number: usize) -> Option<Result<Film, Fault>> {
+        let file = read(&design.model)?;
+        let (times, poses) = design.motion.as_ref()?;
+        let shape = with_profiles(file.model());
+        let bodies = shape.bodies.len() - 1;
+        let step = times.len().div_ceil(MOST_ROWS).max(1);
+        let rows: Vec<Vec<Pose>> = (0..times.len())
+            .step_by(step)
+            .map(|row| {
+                let own = poses[3 * bodies * row..3 * bodies * (row + 1)].chunks_exact(3);
+                let own = own.map(|own| [own[0], own[1], own[2]]);
+                std::iter::once([0.0; 3]).chain(own).collect()
+            })
+            .collect();
+        let display = &self.problem.display;
+        let mut texts = vec![format!("{number}: {}", design.kind.replace('_', "-"))];
+        texts.extend(
+            design
+                .transmission
+                .map(|angle| format!("transmission {} at least", display.angle_to(angle, 4))),
+        );
+        texts.push(format!("size {}", display.length_to(design.size, 4)));
+        texts.push(format!(
+            "spread {}",
+            crate::text::number(design.spread[0], 3)
+        ));
+        texts.extend(
+            design
+                .effort
+                .map(|effort| format!("effort {} N·m", crate::text::number(effort, 4))),
+        );
+        if design.front == 1 {
+            texts.push("no other one is better in everything".into());
+        }
+        let marks = self.problem.wanted.iter().filter_map(|own| own.point);
+        let film = Mechanism::new(shape, Poses::of(&rows)).map(|mechanism| Film {
+            texts,
+            mechanism,
+            rows: rows.len(),
+            marks: marks.map(|at| [at.re, at.im]).collect(),
+        });
+        Some(film)
+    }
+}

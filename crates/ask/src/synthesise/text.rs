@@ -1,0 +1,116 @@
+//! The linkages in words.
+
+use super::problem::Goal;
+use super::{Synthesised, Tried};
+use crate::text::{Page, Side, Table, count, number};
+
+const DIGITS: usize = 4;
+
+impl Synthesised {
+    /// The linkages in words.
+    pub fn text(&self) -> Page {
+        let mut page = Page::default();
+        let wanted = &self.problem.wanted;
+        let what = match self.problem.goal {
+            Goal::Path => count(wanted.len(), "point"),
+            Goal::Motion => count(wanted.len(), "position"),
+            Goal::Function => count(wanted.len(), "pair") + " of angles",
+        };
+        let found = match self.designs.len() {
+            0 => "no linkage".to_owned(),
+            several => count(several, "linkage"),
+        };
+        page.line(format!("{}: {found} for {what}", self.file.name()));
+        for own in &self.tried {
+            page.rows(&own.kind.replace('_', "-"), own.lines());
+        }
+        page.rows("linkages", self.table());
+        page
+    }
+
+    /// A row for each.
+    fn table(&self) -> Vec<String> {
+        if self.designs.is_empty() {
+            return Vec::new();
+        }
+        let display = &self.problem.display;
+        let heads = [
+            "",
+            "kind",
+            "front",
+            "off by",
+            "transmission",
+            "size",
+            "spread",
+            "effort",
+            "crank",
+        ];
+        let mut table = Table::new(2, heads.map(|head| (Side::Left, head.len())));
+        table.row(heads);
+        for (own, row) in self.designs.iter().zip(1..) {
+            let off = own.off.map(|off| display.length_to(off, 2));
+            let off_angle = own.off_angle.map(|off| display.angle_to(off, 2));
+            let off: Vec<String> = off.into_iter().chain(off_angle).collect();
+            let spread = match self.problem.goal {
+                Goal::Function => format!("{} mrad/mm", number(own.spread[1], 3)),
+                Goal::Path | Goal::Motion => number(own.spread[0], 3),
+            };
+            table.row([
+                row.to_string(),
+                own.kind.replace('_', "-"),
+                own.front.to_string(),
+                off.join(", "),
+                own.transmission
+                    .map_or("–".into(), |angle| display.angle_to(angle, DIGITS)),
+                display.length_to(own.size, DIGITS),
+                spread,
+                own.effort.map_or("–".into(), |effort| {
+                    format!("{} N·m", number(effort, DIGITS))
+                }),
+                if own.turns_fully {
+                    "turns fully".to_owned()
+                } else {
+                    "swings".to_owned()
+                },
+            ]);
+        }
+        table.lines().collect()
+    }
+}
+
+impl Tried {
+    /// How candidates of a kind fared.
+    pub(super) fn lines(&self) -> Vec<String> {
+        let mut lines = vec![self.method.clone()];
+        lines.extend(self.notes.clone());
+        let without = [
+            (self.outside, "outside the limits"),
+            (self.order, "in another order"),
+            (self.circuit, "on several circuits"),
+            (self.branch, "get stuck on the way"),
+            (self.transmission, "with a smaller angle of transmission"),
+            (self.broken.0, "do not run"),
+        ];
+        let without: Vec<String> = without
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, words)| format!("{count} {words}"))
+            .collect();
+        let of = format!(
+            "{} of {} are good",
+            self.good,
+            count(self.candidates, "candidate")
+        );
+        lines.push(match without.is_empty() {
+            true => of,
+            false => format!("{of}; {}", without.join(", ")),
+        });
+        lines.extend(
+            self.broken
+                .1
+                .iter()
+                .map(|why| format!("does not run: {why}")),
+        );
+        lines
+    }
+}

@@ -1,0 +1,71 @@
+//! Mechanisms in motion, to and fro, each with a text → a page without scripts.
+
+use super::mechanism::Mechanism;
+use super::{played, sheet};
+
+/// Width of a drawing \[pt\], and how long a motion takes \[s\].
+const WIDTH: f64 = 260.0;
+const SECONDS: f64 = 5.0;
+/// Several drawings abreast.
+const NARROW: &str =
+    ".many { grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); }";
+/// Size of all drawings \[bytes\], at most.
+const LARGEST: usize = 12_000_000;
+
+/// A mechanism in motion.
+#[derive(Debug)]
+pub struct Film {
+    /// What is said of it, a title first.
+    pub texts: Vec<String>,
+    /// The mechanism, with a pose at each whole number.
+    pub mechanism: Mechanism,
+    /// How many poses there are.
+    pub rows: usize,
+    /// Places that are marked \[m\].
+    pub marks: Vec<[f64; 2]>,
+}
+
+/// The page with a heading, facts below it, and the films.
+pub fn films_page(heading: &str, facts: &[String], films: &[Film]) -> String {
+    let mut main = String::from("<div class=\"many\">\n");
+    let mut left = 0;
+    for film in films {
+        if main.len() > LARGEST {
+            left += 1;
+            continue;
+        }
+        main += &figure(film);
+    }
+    main += "</div>\n";
+    if left > 0 {
+        main += &format!("<p class=\"muted\">{left} more are not drawn.</p>\n");
+    }
+    sheet::styled_page(heading, facts, &main, NARROW)
+}
+
+fn figure(film: &Film) -> String {
+    let mut behind = film.mechanism.plain(0.0, WIDTH, Some(0.15));
+    film.mechanism.mark(&mut behind, WIDTH, &film.marks);
+    // To and fro, so that it does not jump where the crank does not turn fully.
+    let there = 0..film.rows;
+    let back = (1..film.rows.saturating_sub(1)).rev();
+    let scenes: Vec<_> = there
+        .chain(back)
+        .chain([0])
+        .map(|row| film.mechanism.plain(row as f64, WIDTH, None))
+        .collect();
+    let drawing = played::write(&behind, &scenes, SECONDS);
+    let texts: Vec<String> = film
+        .texts
+        .iter()
+        .enumerate()
+        .map(|(k, words)| match k {
+            0 => format!("<strong>{}</strong>", sheet::text(words)),
+            _ => format!("<br>{}", sheet::text(words)),
+        })
+        .collect();
+    format!(
+        "<figure class=\"card\">\n{drawing}<figcaption>{}</figcaption>\n</figure>\n",
+        texts.concat()
+    )
+}

@@ -1,0 +1,316 @@
+//! Linkages that come near to what is wanted, by least squares over all dimensions and, where they are free, the crank's angles.
+//!
+//! At each wanted position the linkage is closed, from the one before, so that it gets there without being taken apart or turned back:
+//! where it can't, there are no residuals, and the search takes a shorter step. Derivatives are those of the closed linkage (implicit
+//! function theorem).
+
+use crate::linkage::{Linkage, Places};
+use linkdyn_linear::bilinear::Number;
+use linkdyn_optimise::least_squares::{Fitted, Settings, least_squares};
+use linkdyn_optimise::outcome::{Bounds, Evaluate, Outcome};
+use std::f64::consts::TAU;
+
+/// What is wanted at one position.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Wanted {
+    /// How far the crank has turned since the first position \[rad\].
+    pub crank: Option<f64>,
+    /// Where the output's point is.
+    pub point: Option<Number>,
+    /// How far the output has turned since the first position \[rad\].
+    pub angle: Option<f64>,
+}
+
+/// A linkage, and its crank's angles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Candidate {
+    /// The linkage.
+    pub linkage: Linkage,
+    /// How far the crank has turned at each wanted position \[rad\], 0 at the first.
+    pub turns: Vec<f64>,
+}
+
+/// Limits of dimensions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limits {
+    /// Of each dimension the least and the greatest, equal where it stands.
+    pub dimensions: Vec<[f64; 2]>,
+    /// Directions from the ground pin of a body to its other pin \[rad\].
+    pub directions: Vec<(usize, f64)>,
+    /// The length that counts as much as a radian.
+    pub length: f64,
+}
+
+/// What a search found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// The linkage.
+    pub candidate: Candidate,
+    /// Root mean square of what is left, in parts of the length that counts as a radian.
+    pub rms: f64,
+}
+
+/// A search gives up where so many steps leave more than this (root mean square).
+const TRIAL: usize = 40;
+const HOPEFUL: f64 = 0.1;
+
+struct Search<'s> {
+    from: &'s Linkage,
+    wanted: &'s [Wanted],
+    limits: &'s Limits,
+    /// Dimensions that vary.
+    free: Vec<usize>,
+    /// Dimensions of all.
+    dimensions: Vec<f64>,
+    /// Positions whose crank angle varies.
+    open: Vec<usize>,
+    stop: &'s dyn Fn() -> bool,
+}
+
+impl Search<'_> {
+    fn linkage(&self, x: &[f64]) -> Linkage {
+        let mut all = self.dimensions.clone();
+        for (k, value) in self.free.iter().zip(x) {
+            all[*k] = value * self.limits.length;
+        }
+        // Angles are no lengths.
+        for (k, is_angle) in angles(self.from).into_iter().enumerate() {
+            if is_angle && let Some(at) = self.free.iter().position(|free| *free == k) {
+                all[k] = x[at];
+            }
+        }
+        self.from.with(&all)
+    }
+
+    fn turns(&self, x: &[f64]) -> Vec<f64> {
+        let mut turns: Vec<f64> = self
+            .wanted
+            .iter()
+            .map(|wanted| wanted.crank.unwrap_or(0.0))
+            .collect();
+        for (place, value) in self.open.iter().zip(&x[self.free.len()..]) {
+            turns[*place] = *value;
+        }
+        turns
+    }
+
+    /// The places at all positions.
+    fn led(&self, linkage: &Linkage, turns: &[f64]) -> Option<Vec<Places>> {
+        let mut all = Vec::new();
+        let (mut at, mut places) = (0.0, linkage.first());
+        for turn in turns {
+            places = linkage.led(places, at, *turn)?;
+            at = *turn;
+            all.push(places.clone());
+        }
+        Some(all)
+    }
+
+    fn residuals(&self, linkage: &Linkage, all: &[Places]) -> Vec<f64> {
+        let mut rows = Vec::new();
+        for (wanted, places) in self.wanted.iter().zip(all) {
+            if let Some(point) = wanted.point {
+                let off = linkage.position(places, linkage.output).of(linkage.point) - point;
+                rows.extend([off.re / self.limits.length, off.im / self.limits.length]);
+            }
+            if let Some(angle) = wanted.angle {
+                // Whole turns are the same position.
+                let off = linkage.angle(places, linkage.output) - angle;
+                rows.push(off - TAU * (off / TAU).round());
+            }
+        }
+        for (body, direction) in &self.limits.directions {
+            let arm = arm(linkage, *body)
+                .map(|[from, to]| (Number::from_polar(1.0, -direction) * (to - from)).im);
+            rows.push(arm.unwrap_or(0.0) / self.limits.length);
+        }
+        rows
+    }
+}
+
+/// Whether each dimension is an angle.
+fn angles(linkage: &Linkage) -> Vec<bool> {
+    let of = |joint: &crate::linkage::Joint| match joint.pin() {
+        Some(_) => vec![false; 2],
+        None => vec![true],
+    };
+    let joints = linkage.joints.iter().flat_map(of);
+    joints.chain([false; 2]).collect()
+}
+
+/// The numbers of the joints of a body: that to the ground, and the next.
+fn arm_joints(linkage: &Linkage, body: usize) -> Option<[usize; 2]> {
+    let joints = linkage.joints.iter().enumerate();
+    let mut own = joints.filter(|(_, joint)| joint.bodies.contains(&body) && joint.pin().is_some());
+    let ground = own.clone().find(|(_, joint)| joint.bodies.contains(&0))?.0;
+    let other = own.find(|(k, _)| *k != ground)?.0;
+    Some([ground, other])
+}
+
+fn arm(linkage: &Linkage, body: usize) -> Option<[Number; 2]> {
+    let [a, b] = arm_joints(linkage, body)?;
+    Some([linkage.joints[a].pin()?, linkage.joints[b].pin()?])
+}
+
+impl Evaluate for Search<'_> {
+    fn values(&mut self, x: &[f64]) -> Outcome {
+        if (self.stop)() {
+            return Outcome::Stopped;
+        }
+        let linkage = self.linkage(x);
+        match self.led(&linkage, &self.turns(x)) {
+            Some(all) => Outcome::of(self.residuals(&linkage, &all)),
+            None => Outcome::Missing,
+        }
+    }
+
+    fn slopes(&mut self, x: &[f64]) -> Option<Vec<f64>> {
+        let linkage = self.linkage(x);
+        let turns = self.turns(x);
+        let all = self.led(&linkage, &turns)?;
+        let count = x.len();
+        let is_angle = angles(&linkage);
+        let length = self.limits.length;
+        let mut rows = Vec::new();
+        for (j, ((wanted, places), turn)) in self.wanted.iter().zip(&all).zip(&turns).enumerate() {
+            let by = linkage.slopes(places, *turn)?;
+            let own = linkage.position(places, linkage.output);
+            let k = 3 * linkage.output - 3;
+            // Of shift, turn and, for the point's own two, the point.
+            let dimension = |column: usize| -> (Number, f64) {
+                let angle = by[(k + 2, column)];
+                let shift = Number::new(by[(k, column)], by[(k + 1, column)]);
+                let arm = Number::i() * own.turn * linkage.point * angle;
+                let place = shift + arm;
+                let place = match column.checked_sub(is_angle.len() - 2) {
+                    Some(0) => place + own.turn,
+                    Some(1) => place + own.turn * Number::i(),
+                    _ => place,
+                };
+                (place, angle)
+            };
+            let mut row = vec![(Number::new(0.0, 0.0), 0.0); count];
+            for (own, column) in row.iter_mut().zip(&self.free) {
+                let (place, angle) = dimension(*column);
+                let scale = if is_angle[*column] { 1.0 } else { length };
+                *own = (place * scale, angle * scale);
+            }
+            if let Some(at) = self.open.iter().position(|place| *place == j) {
+                let column = is_angle.len();
+                let angle = by[(k + 2, column)];
+                let shift = Number::new(by[(k, column)], by[(k + 1, column)]);
+                row[self.free.len() + at] = (
+                    shift + Number::i() * own.turn * linkage.point * angle,
+                    angle,
+                );
+            }
+            if wanted.point.is_some() {
+                rows.extend(row.iter().map(|(place, _)| place.re / length));
+                rows.extend(row.iter().map(|(place, _)| place.im / length));
+            }
+            if wanted.angle.is_some() {
+                rows.extend(row.iter().map(|(_, angle)| *angle));
+            }
+        }
+        for (body, direction) in &self.limits.directions {
+            let joints = arm_joints(&linkage, *body);
+            let back = Number::from_polar(1.0, -direction);
+            rows.extend((0..count).map(|at| {
+                let Some((column, [from, to])) = self.free.get(at).zip(joints) else {
+                    return 0.0;
+                };
+                let part = |joint: usize| -> f64 {
+                    let first: usize = linkage.joints[..joint]
+                        .iter()
+                        .map(|own| if own.pin().is_some() { 2 } else { 1 })
+                        .sum();
+                    match column.checked_sub(first) {
+                        Some(0) => back.im,
+                        Some(1) => back.re,
+                        _ => 0.0,
+                    }
+                };
+                part(to) - part(from)
+            }));
+        }
+        Some(rows)
+    }
+}
+
+/// A search, its bounds and its start.
+fn prepared<'s>(
+    from: &'s Candidate,
+    wanted: &'s [Wanted],
+    limits: &'s Limits,
+    stop: &'s dyn Fn() -> bool,
+) -> (Search<'s>, Bounds, Vec<f64>) {
+    let linkage = &from.linkage;
+    let dimensions = linkage.dimensions();
+    let varies = |k: &usize| limits.dimensions[*k][1] > limits.dimensions[*k][0];
+    let free: Vec<usize> = (0..dimensions.len()).filter(varies).collect();
+    let open: Vec<usize> = (1..wanted.len())
+        .filter(|j| wanted[*j].crank.is_none())
+        .collect();
+    let is_angle = angles(linkage);
+    let scaled = |k: usize, value: f64| match is_angle[k] {
+        true => value,
+        false => value / limits.length,
+    };
+    let ranges = free
+        .iter()
+        .map(|k| limits.dimensions[*k].map(|end| scaled(*k, end)));
+    let ranges: Vec<[f64; 2]> = ranges
+        .chain(open.iter().map(|_| [-2.0 * TAU, 2.0 * TAU]))
+        .collect();
+    let start = free.iter().map(|k| scaled(*k, dimensions[*k]));
+    let start = start.chain(open.iter().map(|j| from.turns[*j])).collect();
+    let search = Search {
+        from: linkage,
+        wanted,
+        limits,
+        free,
+        dimensions,
+        open,
+        stop,
+    };
+    (search, Bounds::new(&ranges), start)
+}
+
+/// Root mean square of what is left at a candidate, as [`Found::rms`]; `None` where it does not pass all positions in one motion.
+pub fn distance(of: &Candidate, wanted: &[Wanted], limits: &Limits) -> Option<f64> {
+    let (mut search, bounds, mut start) = prepared(of, wanted, limits, &|| false);
+    bounds.clamp(&mut start);
+    search.values(&start).values().map(|own| rms(&own))
+}
+
+fn rms(residuals: &[f64]) -> f64 {
+    let square: f64 = residuals.iter().map(|r| r * r).sum();
+    (square / residuals.len().max(1) as f64).sqrt()
+}
+
+/// Searches from a linkage and its crank's angles.
+pub fn fit(
+    from: &Candidate,
+    wanted: &[Wanted],
+    limits: &Limits,
+    stop: &dyn Fn() -> bool,
+) -> Option<Found> {
+    let (mut search, bounds, start) = prepared(from, wanted, limits, stop);
+    let rows = wanted
+        .iter()
+        .map(|own| 2 * usize::from(own.point.is_some()) + usize::from(own.angle.is_some()));
+    let rows = (rows.sum::<usize>() + limits.directions.len()) as f64;
+    let settings = Settings {
+        trial: TRIAL,
+        hopeful: HOPEFUL * rows.sqrt(),
+        ..Settings::default()
+    };
+    let Fitted { x, residuals, .. } = least_squares(&mut search, &bounds, &start, &settings);
+    (!residuals.is_empty()).then(|| Found {
+        rms: rms(&residuals),
+        candidate: Candidate {
+            linkage: search.linkage(&x),
+            turns: search.turns(&x),
+        },
+    })
+}
