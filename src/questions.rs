@@ -252,8 +252,8 @@ impl Mechanism {
     /// ```
     /// use linkdyn::prelude::*;
     ///
-    /// let task = Mechanism::read(r#"{ "format": "linkdyn/1", "units": "SI", "synthesise": {
-    ///     "function": [[1.0, 0.9], [1.5, 1.1], [2.0, 1.4]], "directions": true } }"#)?;
+    /// let task: Mechanism = r#"{ "format": "linkdyn/1", "units": "SI", "synthesise": {
+    ///     "function": [[1.0, 0.9], [1.5, 1.1], [2.0, 1.4]], "directions": true } }"#.parse()?;
     /// let found = task.synthesise()?;
     /// println!("{}", found.text());
     /// # Ok::<(), linkdyn::Error>(())

@@ -32,6 +32,7 @@ __all__ = [
     "optimise",
     "path_time",
     "quantity",
+    "synthesise",
 ]
 __version__: str
 
@@ -201,6 +202,7 @@ def optimise(
     threads: int,
 ) -> _Stopped[tuple[_Told, str | None, Mechanism | None]]: ...
 def assemblies(model: Mechanism, at: float, most: int, take: int | None) -> _Stopped[tuple[_Told, Mechanism | None]]: ...
+def synthesise(model: Mechanism) -> _Stopped[_Told]: ...
 def circuits(
     model: Mechanism, driver: str | None, values: int | None, range: tuple[float, float] | None
 ) -> _Stopped[_Told]: ...

@@ -356,6 +356,18 @@ class Model:
         assert taken is not None
         return Model(taken, self._label, taken.to_json().encode())
 
+    def synthesise(self) -> Answer:
+        """Linkages for the task of the file, its ``synthesise``, as in ``synthesis.json``; ``load`` reads each one's ``model``.
+
+        >>> import linkdyn
+        >>> function = [[1.0, 0.9], [1.5, 1.1], [2.0, 1.4]]
+        >>> task = {"format": "linkdyn/1", "units": "SI", "synthesise": {"function": function, "directions": True}}
+        >>> found = linkdyn.load(task).synthesise()
+        >>> linkdyn.load(found["linkages"][0]["model"]).name
+        'four-bar for a function'
+        """
+        return read(whole(_linkdyn.synthesise(self._core)))
+
     def circuits(
         self, driver: str | None = None, *, values: int | None = None, range: tuple[float, float] | None = None
     ) -> Answer:

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use linkdyn::ask::{
     Accuracy, Allocate, Assemblies, Check, Circuits, Compare, Levels, Method, Modes, Optimise,
-    PathTime, StateSpace, Study, Varied,
+    PathTime, StateSpace, Study, Synthesise, Varied,
 };
 use linkdyn::{Control, Error, bridge};
 use pyo3::exceptions::PyValueError;
@@ -97,6 +97,17 @@ pub fn assemblies(
         let page = found.html().and_then(Result::ok);
         let told = (bridge::json(&found), bridge::words(found.text()), page);
         Ok((told, taken.map(Mechanism::of)))
+    })
+}
+
+/// Linkages for the task of the file.
+#[pyfunction]
+pub fn synthesise(py: Python<'_>, model: &Mechanism) -> PyResult<Stopped<Option<Told>>> {
+    let mechanism = model.own();
+    asked(py, None, move |control| {
+        let found = mechanism.ask(&Synthesise, control)?;
+        let page = found.html().and_then(Result::ok);
+        Ok((bridge::json(&found), bridge::words(found.text()), page))
     })
 }
 

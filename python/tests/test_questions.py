@@ -24,6 +24,22 @@ def test_check_and_modes_are_those_of_the_command() -> None:
         assert answer.text and answer._repr_html_()
 
 
+def test_linkages_are_those_of_the_command_and_are_loaded(tmp_path: Path) -> None:
+    angles = [[30, 20], [50, 32], [70, 47], [90, 64], [110, 82]]
+    task = {"format": "linkdyn/1", "units": {"length": "mm", "angle": "deg"}, "synthesise": {"function": angles}}
+    (tmp_path / "task.json").write_text(json.dumps(task))
+    said, _ = _linkdyn.command(["synthesise", str(tmp_path / "task.json"), "--json"])
+    answer = linkdyn.load(task).synthesise()
+    told = json.loads(said.stdout)
+    assert answer["linkages"] == told["linkages"] and answer["tried"] == told["tried"]
+    assert answer.page and "<animate" in answer.page
+    for one in answer["linkages"]:
+        run = linkdyn.load(one["model"]).run()
+        assert np.ptp(run["rocker.angle"]) > 0.1
+    with pytest.raises(linkdyn.ModelError, match="synthesise"):
+        linkdyn.load("four-bar").synthesise()
+
+
 def test_accuracy_is_that_of_the_command() -> None:
     said, _ = _linkdyn.command(["accuracy", "lock", "--levels", "first", "--json"])
     answer = linkdyn.load("lock").accuracy(levels="first", threads=2)

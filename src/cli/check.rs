@@ -52,10 +52,12 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         }
     };
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
+    let control = interrupt::control();
     let found = Check
-        .answer(&file, &interrupt::control())
+        .answer(&file, &control)
         .map_err(|why| options.model.refuse(why))?;
-    let written = directory.map(|directory| directory.write(PAGE, found.html().as_bytes()));
+    let written = directory
+        .map(|directory| directory.write(PAGE, found.html_with_circuits(&control).as_bytes()));
     let written = written.transpose()?;
     match options.json {
         true => tell_json(&found)?,

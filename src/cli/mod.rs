@@ -20,6 +20,7 @@ mod accuracy;
 mod allocate;
 mod animate;
 mod assemblies;
+mod chains;
 mod check;
 mod compare;
 mod completions;
@@ -123,6 +124,8 @@ enum Command {
     Optimise(Box<optimise::Options>),
     /// Linkages for a wanted path, motion or function: found, put through the engine, ranked
     Synthesise(synthesise::Options),
+    /// The kinematic chains of so many bodies with pins
+    Chains(chains::Options),
     /// The fastest motion along a stroke, under limits of effort, speed and joint forces
     PathTime(Box<path_time::Options>),
     /// Draw result columns as a figure
@@ -198,6 +201,7 @@ impl Command {
             Command::Optimise(options) => optimise::execute(&options),
             Command::Assemblies(options) => assemblies::execute(&options),
             Command::Synthesise(options) => synthesise::execute(&options),
+            Command::Chains(options) => chains::execute(&options),
             Command::PathTime(options) => path_time::execute(&options),
             Command::Plot(options) => plot::execute(&options),
             Command::Animate(options) => animate::execute(&options),

@@ -7,6 +7,7 @@
 //! | [`recipes`]     | models and numbers that are often wanted                      |
 //! | [`accuracy`]    | what tolerances and clearances do                             |
 //! | [`studies`]     | many variants: sweeps, samples, clusters                      |
+//! | [`synthesis`]   | linkages for a wanted path, motion or function                |
 //! | [`optimise`]    | parameters that meet a goal, are best, or draw a path         |
 //! | [`assemblies`]  | all assemblies and circuits                                   |
 //! | [`path_time`]   | the fastest motion along a stroke                             |
@@ -61,6 +62,9 @@ pub mod format {}
 pub mod messages {}
 
 #[doc = include_str!("links.md")]
+#[doc = include_str!("../../docs/synthesis.md")]
+pub mod synthesis {}
+
 #[doc = include_str!("../../docs/optimise.md")]
 pub mod optimise {}
 

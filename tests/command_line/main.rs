@@ -32,5 +32,6 @@ mod report;
 mod study;
 mod study_page;
 #[cfg(unix)]
+mod synthesise;
 mod terminal;
 mod validate;

@@ -85,6 +85,7 @@ mod states;
 mod statics;
 mod sticking;
 mod stops;
+mod synthesis;
 mod tables;
 mod timed;
 mod transmission;

@@ -37,6 +37,7 @@ const TEXT_RULE: &str =
 .finding pre { margin: 4px 0 0; padding: 4px 8px; background: var(--card); border: 1px solid var(--line); border-radius: 6px; font-size: 12px; }
 .line { margin-right: 12px; color: var(--muted); user-select: none; }
 mark { background: none; color: var(--bad); font-weight: bold; text-decoration: underline wavy; text-underline-offset: 3px; }
+.map { max-width: 34rem; margin: 16px 0 0; }
 ";
 
 /// How bad something is.
@@ -98,6 +99,8 @@ pub struct Diagnosis {
     pub loops: Vec<Loop>,
     /// What is wrong, the worst first.
     pub findings: Vec<Finding>,
+    /// Figures below all of it, each with a text.
+    pub figures: Vec<(String, Scene)>,
 }
 
 /// The page of a model in a position of all bodies, the ground first. If it can't be drawn the page has no drawing.
@@ -167,6 +170,13 @@ fn whole_page(diagnosis: &Diagnosis, drawing: &str) -> String {
         };
     }
     main += "</div>\n</div>\n";
+    for (words, scene) in &diagnosis.figures {
+        let drawing = svg::write(scene);
+        let words = sheet::text(words);
+        main += &format!(
+            "<figure class=\"card map\">\n{drawing}<figcaption>{words}</figcaption>\n</figure>\n"
+        );
+    }
     let loops = 0..diagnosis.loops.len().min(MOST_CHOSEN);
     let rules = TEXT_RULE.to_string() + &loops.map(shown_on_choice).collect::<String>();
     sheet::styled_page(&diagnosis.title, &diagnosis.facts, &main, &rules)

@@ -14,19 +14,21 @@ const LARGEST: usize = 12_000_000;
 
 /// A mechanism in motion.
 #[derive(Debug)]
-pub struct Film {
+pub struct MovingMechanism {
     /// What is said of it, a title first.
     pub texts: Vec<String>,
     /// The mechanism, with a pose at each whole number.
     pub mechanism: Mechanism,
     /// How many poses there are.
     pub rows: usize,
+    /// The way of a point \[m\].
+    pub path: Vec<[f64; 2]>,
     /// Places that are marked \[m\].
     pub marks: Vec<[f64; 2]>,
 }
 
 /// The page with a heading, facts below it, and the films.
-pub fn films_page(heading: &str, facts: &[String], films: &[Film]) -> String {
+pub fn films_page(heading: &str, facts: &[String], films: &[MovingMechanism]) -> String {
     let mut main = String::from("<div class=\"many\">\n");
     let mut left = 0;
     for film in films {
@@ -43,17 +45,19 @@ pub fn films_page(heading: &str, facts: &[String], films: &[Film]) -> String {
     sheet::styled_page(heading, facts, &main, NARROW)
 }
 
-fn figure(film: &Film) -> String {
+fn figure(film: &MovingMechanism) -> String {
     let mut behind = film.mechanism.plain(0.0, WIDTH, Some(0.15));
-    film.mechanism.mark(&mut behind, WIDTH, &film.marks);
+    film.mechanism.trace(&mut behind, WIDTH, &film.path);
     // To and fro, so that it does not jump where the crank does not turn fully.
     let there = 0..film.rows;
     let back = (1..film.rows.saturating_sub(1)).rev();
-    let scenes: Vec<_> = there
+    let mut scenes: Vec<_> = there
         .chain(back)
         .chain([0])
         .map(|row| film.mechanism.plain(row as f64, WIDTH, None))
         .collect();
+    // On top, and in the first scene alone, so that they stand still.
+    film.mechanism.mark(&mut scenes[0], WIDTH, &film.marks);
     let drawing = played::write(&behind, &scenes, SECONDS);
     let texts: Vec<String> = film
         .texts

@@ -83,7 +83,7 @@ pub use chart::{Axis, Chart, Curve, Mark, Panel};
 pub use compare_page::{ComparePage, ComparedRun};
 pub use cut::Cut;
 pub use fault::{Fault, MOST_CURVES, MOST_FILM_PIXELS, MOST_PIXELS};
-pub use films_page::{Film, films_page};
+pub use films_page::{MovingMechanism, films_page};
 pub use layout::{MovingChart, Side};
 pub use mechanism::Mechanism;
 pub use optimise_page::OptimisePage;

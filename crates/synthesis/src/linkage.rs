@@ -51,7 +51,7 @@ pub type Places = DVector<f64>;
 /// Correction that is round-off, by the size of the linkage.
 const ROUND_OFF: f64 = 1e-13;
 /// Correction that a step of the crank may need at most, by the size of the linkage.
-const NEAR: f64 = 0.2;
+const NEAR: f64 = 0.4;
 /// Largest and smallest step of the crank \[rad\].
 const STEP: f64 = 0.2;
 const SHORTEST: f64 = 1e-3;
@@ -216,9 +216,7 @@ impl Linkage {
             let rows = self.rows(&places, turn, false);
             let step = rows.by_places.lu().solve(&rows.values)?;
             let length = scale(&step);
-            // Written so that NaN fails.
-            if !(length <= NEAR.max(STEP * 2.0))
-                || count > 1 && length > 0.5 * last && length > 1e-9
+            if length.is_nan() || length > NEAR || count > 1 && length > 0.5 * last && length > 1e-9
             {
                 return None;
             }

@@ -154,7 +154,8 @@ fn a_four_bar_and_its_cognates_are_found_from_nine_points() {
     };
     assert_eq!(paths.found.iter().filter(is_it).count(), 1);
     assert!(
-        paths.found.len() % 3 == 0 && paths.complex + paths.singular + paths.lost >= CURVES - 2
+        paths.found.len().is_multiple_of(3)
+            && paths.complex + paths.singular + paths.lost >= CURVES - 2
     );
     assert!(paths.lost <= 8, "{} lost", paths.lost);
     // Each passes all nine: its dyads' circles have the coupler's turn in common.
@@ -320,4 +321,57 @@ fn derivatives_are_those_of_differences() {
             "column {column}"
         );
     }
+}
+
+/// Newton's iteration on (z, g) real, from random places, with equations of its own: |tⱼ + Θⱼ z − g|² = |z − g|².
+fn newton(positions: &[Position; 5], random: &mut Random, near: Number, size: f64) -> Option<Dyad> {
+    let mut place = || near + random.turn() * size * 2.0 + random.turn() * size * 1.3;
+    let (mut z, mut g) = (place(), place());
+    for _ in 0..60 {
+        let rows = positions[1..].iter().map(|p| {
+            let (there, arm) = (p.of(z) - g, z - g);
+            let value = there.norm_sqr() - arm.norm_sqr();
+            // ∂/∂z and ∂/∂g as vectors of the plane.
+            let (by_z, by_g) = ((there * p.turn.conj() - arm) * 2.0, (arm - there) * 2.0);
+            (value, [by_z.re, by_z.im, by_g.re, by_g.im])
+        });
+        let rows: Vec<(f64, [f64; 4])> = rows.collect();
+        let matrix = nalgebra::Matrix4::from_fn(|i, j| rows[i].1[j]);
+        let right = nalgebra::Vector4::from_fn(|i, _| rows[i].0);
+        let step = matrix.lu().solve(&right)?;
+        z -= Number::new(step[0], step[1]);
+        g -= Number::new(step[2], step[3]);
+        if step.norm() < 1e-12 * size {
+            let length = (z - g).norm();
+            return (length > 1e-3 * size && length < 1e3 * size).then_some(Dyad {
+                fixed: g,
+                moving: z,
+            });
+        }
+    }
+    None
+}
+
+#[test]
+fn no_link_that_newtons_iteration_finds_is_missing() {
+    let mut random = Random::new(23);
+    let mut found = 0;
+    for _ in 0..60 {
+        let poses: Vec<(Number, Number)> = (0..5)
+            .map(|_| (random.turn() * 3.0 + random.turn() * 2.0, random.turn()))
+            .collect();
+        let positions: [Position; 5] = Position::counted(&poses).try_into().expect("five");
+        let (all, _) = links(&positions, poses[0].0);
+        for _ in 0..1000 {
+            if let Some(one) = newton(&positions, &mut random, poses[0].0, 5.0) {
+                let scale = (one.fixed - one.moving).norm() + 5.0;
+                assert!(
+                    has(&all, one.fixed, one.moving, 1e-6 * scale),
+                    "{one:?} of {all:?}"
+                );
+                found += 1;
+            }
+        }
+    }
+    assert!(found > 5000, "{found}");
 }

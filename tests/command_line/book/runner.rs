@@ -242,11 +242,14 @@ fn put(into: &mut Value, piece: Value) {
     }
 }
 
-/// Loads a model without any warning and runs its analysis to the end.
+/// Loads a model without any warning and runs its analysis to the end; a task, which has no bodies, is loaded alone.
 fn sound(text: &str, place: &str) {
     let loaded = linkdyn_model::load(text.as_bytes(), &[])
         .unwrap_or_else(|said| panic!("{place}: {}", said[0]));
     assert!(loaded.warnings.is_empty(), "{place}: {:?}", loaded.warnings);
+    if loaded.model.bodies.is_empty() {
+        return;
+    }
     let outcome = run(&loaded.model, &Control::default())
         .unwrap_or_else(|said| panic!("{place}: {}", said[0]));
     assert_eq!(

@@ -2,7 +2,7 @@
 
 use super::*;
 
-const COMMANDS: [&str; 22] = [
+const COMMANDS: [&str; 24] = [
     "accuracy",
     "allocate",
     "new",
@@ -16,6 +16,8 @@ const COMMANDS: [&str; 22] = [
     "study",
     "optimise",
     "assemblies",
+    "synthesise",
+    "chains",
     "path-time",
     "plot",
     "animate",

@@ -1,5 +1,6 @@
 //! The circuits of a mechanism with one freedom.
 
+use super::grashof::FourBarClass;
 use crate::{ModelFile, Question, Unanswered};
 use linkdyn_engine::analysis::{AllCircuits, CircuitsQuestion, Control, all_circuits};
 
@@ -28,6 +29,8 @@ pub struct CircuitsFound {
     pub file: ModelFile,
     /// What was found.
     pub found: AllCircuits,
+    /// The class of a four-bar.
+    pub four_bar: Option<FourBarClass>,
 }
 
 impl Question for Circuits {
@@ -60,6 +63,7 @@ impl Question for Circuits {
         match found.map_err(|complaints| file.refused(complaints))? {
             Some(found) => Ok(CircuitsFound {
                 file: file.clone(),
+                four_bar: FourBarClass::of(file.model()),
                 found,
             }),
             None => Err(Unanswered::question(

@@ -1,5 +1,6 @@
 //! Assemblies and circuits for programs: `assemblies.json` and `circuits.json`, in SI.
 
+use super::grashof::{FourBarClass, turning};
 use super::{AssembliesFound, CircuitsFound};
 use crate::{ENGINE, Subject};
 use indexmap::IndexMap;
@@ -99,6 +100,7 @@ struct CircuitJson<'a> {
     drawn: bool,
     closed: bool,
     turns_fully: bool,
+    turning: Vec<&'a str>,
     branches: Vec<[f64; 2]>,
     members: usize,
     turnings: Vec<TurningJson<'a>>,
@@ -122,6 +124,7 @@ struct CircuitsJson<'a> {
     assemblies: &'a [usize],
     complete: bool,
     doubts: &'a [String],
+    four_bar: Option<FourBarClass>,
     circuits: Vec<CircuitJson<'a>>,
 }
 
@@ -144,6 +147,10 @@ impl Serialize for CircuitsFound {
             drawn: one.is_drawn,
             closed: one.is_closed,
             turns_fully: one.turns_fully(),
+            turning: turning(one)
+                .into_iter()
+                .map(|body| &names[body][..])
+                .collect(),
             branches: one.branches(),
             members: one.members,
             turnings: one
@@ -181,6 +188,7 @@ impl Serialize for CircuitsFound {
             assemblies: &found.counts,
             complete: found.doubts.is_empty(),
             doubts: &found.doubts,
+            four_bar: self.four_bar,
             circuits: found.circuits.iter().map(circuit).collect(),
         }
         .serialize(serializer)

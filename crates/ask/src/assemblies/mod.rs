@@ -1,11 +1,13 @@
 //! All assemblies of a mechanism, and its circuits.
 
 mod circuits;
+mod grashof;
 mod json;
 mod page;
 mod text;
 
 pub use circuits::{Circuits, CircuitsFound};
+pub use grashof::{FourBarClass, GrashofClass};
 
 use crate::put::{Put, read};
 use crate::{ModelFile, Question, Unanswered};

@@ -9,6 +9,7 @@ use linkdyn_engine::element::Measure;
 use linkdyn_picture::charts_page::scenes_page;
 use linkdyn_picture::poses::{Pose, Poses};
 use linkdyn_picture::{Axis, Chart, Curve, Fault, Mechanism, Panel, Scene};
+use std::f64::consts::TAU;
 
 /// Width of a drawing \[pt\], and width and height of a figure \[mm\].
 const WIDTH: f64 = 220.0;
@@ -97,25 +98,7 @@ impl CircuitsFound {
         let found = &self.found;
         let mut figures = Vec::new();
         for (body, name) in found.bodies.iter().enumerate().take(MOST_BODIES) {
-            let curves = found.circuits.iter().zip(1..);
-            let curves: Vec<Curve> = curves
-                .map(|(circuit, number)| self.curve(circuit, number, body))
-                .collect();
-            let unit = match found.driver.1 {
-                Measure::Angle => "deg",
-                Measure::Length => "m",
-            };
-            let panel = Panel {
-                axis: Axis::new(format!("{name}.angle"), "deg"),
-                curves,
-            };
-            let chart = Chart {
-                x: Axis::new(found.driver.0.clone(), unit),
-                panels: vec![panel],
-                size_mm: SIZE.map(Some),
-                ..Chart::default()
-            };
-            figures.push((format!("angle of {name}"), chart.draw()?));
+            figures.push((format!("angle of {name}"), self.angles(body)?));
         }
         let firsts = found
             .circuits
@@ -135,6 +118,59 @@ impl CircuitsFound {
         let facts = facts(&self.text(), [&found.doubts, &[]]);
         let title = format!("{}: circuits", self.file.name());
         Ok(scenes_page(&title, &facts, &figures))
+    }
+
+    /// The figure of the last body whose angle changes; `None` if there is no circuit, or none changes.
+    pub fn map(&self) -> Option<Result<(String, Scene), Fault>> {
+        let found = &self.found;
+        let course = &found.circuits.first()?.course;
+        // Neither one that stands still, nor one that turns with the driver.
+        let changes = |body: &usize| {
+            let varies = |with: f64| {
+                let angles = course.iter();
+                let angles = angles.map(|(value, poses)| poses[*body][2] - with * value);
+                let first = course[0].1[*body][2] - with * course[0].0;
+                angles.into_iter().any(|angle| {
+                    let by = angle - first;
+                    (by - TAU * (by / TAU).round()).abs() > 1e-6
+                })
+            };
+            varies(0.0) && varies(1.0)
+        };
+        let body = (0..found.bodies.len()).rev().find(changes)?;
+        let told = found
+            .circuits
+            .iter()
+            .zip(1..)
+            .map(|(circuit, number)| self.told(circuit, number).join("; "));
+        let words = format!(
+            "Circuits over {}: {}",
+            found.driver.0,
+            told.collect::<Vec<_>>().join(". ")
+        );
+        Some(self.angles(body).map(|scene| (words, scene)))
+    }
+
+    /// A body's angle over the driver's value, a curve for each circuit.
+    fn angles(&self, body: usize) -> Result<Scene, Fault> {
+        let found = &self.found;
+        let curves = found.circuits.iter().zip(1..);
+        let curves = curves.map(|(circuit, number)| self.curve(circuit, number, body));
+        let unit = match found.driver.1 {
+            Measure::Angle => "deg",
+            Measure::Length => "m",
+        };
+        let panel = Panel {
+            axis: Axis::new(format!("{}.angle", found.bodies[body]), "deg"),
+            curves: curves.collect(),
+        };
+        let chart = Chart {
+            x: Axis::new(found.driver.0.clone(), unit),
+            panels: vec![panel],
+            size_mm: SIZE.map(Some),
+            ..Chart::default()
+        };
+        chart.draw()
     }
 
     /// A body's angle over the driver's value, within one turn of both.

@@ -1,5 +1,6 @@
 //! Assemblies and circuits in words.
 
+use super::grashof::turning;
 use super::{AssembliesFound, CircuitsFound};
 use crate::text::{Page, Side, Table, count, number};
 use linkdyn_engine::analysis::{FoundCircuit, Turning};
@@ -136,6 +137,9 @@ impl CircuitsFound {
                 self.value(found.values[found.values.len() - 1])
             ),
         );
+        if let Some(own) = self.four_bar {
+            page.row("four-bar", own.class.words());
+        }
         let circuits = found.circuits.iter().zip(1..);
         page.rows(
             "circuits",
@@ -171,6 +175,11 @@ impl CircuitsFound {
                     self.value(high)
                 ));
             }
+        }
+        let turning = turning(one).into_iter();
+        let turning: Vec<&str> = turning.map(|body| &self.found.bodies[body][..]).collect();
+        if !turning.is_empty() {
+            lines.push(format!("   turning fully: {}", turning.join(", ")));
         }
         for (_, value, _) in changes {
             lines.push(format!(

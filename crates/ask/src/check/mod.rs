@@ -12,9 +12,13 @@ use linkdyn_engine::analysis::{self, Check as Found, Control};
 use linkdyn_model::AnalysisKind;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::{Mobility, Status};
+use linkdyn_picture::Scene;
 use serde::{Serialize, Serializer};
 use serde_json::Value;
+use std::time::Duration;
+use web_time::Instant;
 
+use crate::assemblies::Circuits;
 use crate::text::responses::{Expression, expressions};
 use crate::text::words::{analysis_words, status_words};
 use crate::{ModelFile, Question, Subject, Unanswered};
@@ -84,7 +88,12 @@ impl Diagnosis {
 
     /// The page that draws the model with what was found in it.
     pub fn html(&self) -> String {
-        page::html(self)
+        page::html(self, Vec::new())
+    }
+
+    /// The same with a map of its circuits, of a mechanism with one driver: which assemblies are connected by motion.
+    pub fn html_with_circuits(&self, control: &Control) -> String {
+        page::html(self, circuits(&self.file, control).into_iter().collect())
     }
 }
 
@@ -208,4 +217,29 @@ fn mobility(check: &Found) -> MobilityJson<'_> {
             rank: open.mobility.rank,
         }),
     }
+}
+
+/// Values of the driver at which a map of the circuits looks for assemblies, most assemblies at each, and how long it may take.
+const MAP_VALUES: usize = 36;
+const MAP_ASSEMBLIES: usize = 64;
+/// Larger mechanisms have thousands of assemblies.
+const MAP_BODIES: usize = 16;
+const MAP_TIME: Duration = Duration::from_secs(5);
+
+/// The map; `None` of what has not one driver, and of what takes too long.
+fn circuits(file: &ModelFile, control: &Control) -> Option<(String, Scene)> {
+    if file.model().bodies.len() > MAP_BODIES {
+        return None;
+    }
+    let own = Instant::now().checked_add(MAP_TIME);
+    let control = Control {
+        deadline: [control.deadline, own].into_iter().flatten().min(),
+        ..control.clone()
+    };
+    let question = Circuits {
+        values: Some(MAP_VALUES),
+        most: Some(MAP_ASSEMBLIES),
+        ..Circuits::default()
+    };
+    question.answer(file, &control).ok()?.map()?.ok()
 }

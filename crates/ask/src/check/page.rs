@@ -4,10 +4,10 @@ use linkdyn_engine::analysis::Check;
 use linkdyn_model::Checked;
 use linkdyn_model::error::Complaint;
 use linkdyn_output::Status;
-use linkdyn_picture::Shape;
 use linkdyn_picture::diagnosis::{Finding, Loop, Severity, page};
 use linkdyn_picture::poses::Pose;
 use linkdyn_picture::shape::{DriverKind, PointId};
+use linkdyn_picture::{Scene, Shape};
 
 use super::Diagnosis;
 use super::quote::quote;
@@ -16,7 +16,7 @@ use crate::shape::at_pose;
 use crate::text::words::mobility;
 
 /// The page of a model that was checked.
-pub fn html(diagnosis: &Diagnosis) -> String {
+pub fn html(diagnosis: &Diagnosis, figures: Vec<(String, Scene)>) -> String {
     let (model, check) = (diagnosis.file.model(), &diagnosis.found);
     let pose = pose(model, &check.poses);
     let shape = at_pose(model, &pose);
@@ -59,6 +59,7 @@ pub fn html(diagnosis: &Diagnosis) -> String {
         facts: vec![check.words.clone(), mobility(&check.mobility)],
         loops: loops.collect(),
         findings: found.findings,
+        figures,
     };
     page(shape.clone(), &pose, &told)
 }

@@ -56,6 +56,7 @@ pub fn html(text: &Text, complaints: &Complaints) -> String {
         }],
         loops: Vec::new(),
         findings: found.findings,
+        figures: Vec::new(),
     };
     match &drawn {
         Some(model) => page(shape.clone(), &pose(model, &[]), &diagnosis),

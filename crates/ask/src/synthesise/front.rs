@@ -1,17 +1,18 @@
 //! The order of designs: fronts of those that no other one beats in everything (Pareto), and within them the angle of transmission.
 
-use super::judged::Design;
-use super::problem::{Goal, Problem};
+use super::judged::FoundLinkage;
+use super::problem::{Goal, LinkageTask};
 use linkdyn_linear::bilinear::Number;
 use std::cmp::Ordering;
 
-/// Differences below this part are none.
+/// Pins that are nearer to each other than this part of the extent are the same, or much alike.
 const SAME: f64 = 1e-6;
+const ALIKE: f64 = 0.1;
 /// Errors below this part of the extent are none.
 const NO_ERROR: f64 = 1e-9;
 
 /// What counts, the less the better.
-pub fn costs(design: &Design, problem: &Problem) -> Vec<f64> {
+pub fn costs(design: &FoundLinkage, problem: &LinkageTask) -> Vec<f64> {
     let off = design.off.unwrap_or(0.0) / problem.size + design.off_angle.unwrap_or(0.0);
     let spread = match problem.goal {
         Goal::Function => design.spread[1] * problem.size,
@@ -28,12 +29,12 @@ pub fn costs(design: &Design, problem: &Problem) -> Vec<f64> {
 }
 
 /// The best designs, each once.
-pub fn ranked(designs: Vec<Design>, problem: &Problem, most: usize) -> Vec<Design> {
-    let mut own: Vec<(Vec<f64>, Design)> = Vec::new();
+pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) -> Vec<FoundLinkage> {
+    let mut own: Vec<(Vec<f64>, FoundLinkage)> = Vec::new();
     for design in designs {
         if !own
             .iter()
-            .any(|(_, other)| same(other, &design, problem.size))
+            .any(|(_, other)| same(other, &design, SAME * problem.size))
         {
             own.push((costs(&design, problem), design));
         }
@@ -69,13 +70,26 @@ pub fn ranked(designs: Vec<Design>, problem: &Problem, most: usize) -> Vec<Desig
         .find(|order| *order != Ordering::Equal)
         .unwrap_or(Ordering::Equal)
     });
-    own.truncate(most);
-    own.into_iter().map(|(_, design)| design).collect()
+    let sorted: Vec<FoundLinkage> = own.into_iter().map(|(_, design)| design).collect();
+    let mut kept: Vec<FoundLinkage> = Vec::new();
+    let mut alike = Vec::new();
+    for design in sorted {
+        // Of neighbours on a curve of linkages the best one stands for all, as long as there are others.
+        let near = ALIKE * problem.size;
+        match kept.iter().any(|other| same(other, &design, near)) {
+            true => alike.push(design),
+            false => kept.push(design),
+        }
+    }
+    kept.truncate(most);
+    let left = most - kept.len();
+    kept.extend(alike.into_iter().take(left));
+    kept
 }
 
 /// Whether both are one linkage, driven at one pivot; with its pins in another order too.
-fn same(one: &Design, other: &Design, size: f64) -> bool {
-    let pins = |design: &Design| -> Vec<Number> {
+fn same(one: &FoundLinkage, other: &FoundLinkage, near: f64) -> bool {
+    let pins = |design: &FoundLinkage| -> Vec<Number> {
         let joints = design.candidate.linkage.joints.iter();
         joints
             .filter_map(linkdyn_synthesis::linkage::Joint::pin)
@@ -84,7 +98,7 @@ fn same(one: &Design, other: &Design, size: f64) -> bool {
     let [a, b] = [pins(one), pins(other)];
     one.kind == other.kind
         && a.len() == b.len()
-        && a.iter().zip(&b).all(|(a, b)| (a - b).norm() <= SAME * size)
+        && a.iter().zip(&b).all(|(a, b)| (a - b).norm() <= near)
         && one.candidate.linkage.output == other.candidate.linkage.output
-        && (one.candidate.linkage.point - other.candidate.linkage.point).norm() <= SAME * size
+        && (one.candidate.linkage.point - other.candidate.linkage.point).norm() <= near
 }

@@ -23,7 +23,7 @@ struct TriedJson<'a> {
 }
 
 #[derive(Serialize)]
-struct DesignJson<'a> {
+struct LinkageJson<'a> {
     kind: &'a str,
     front: usize,
     largest_distance: Option<f64>,
@@ -44,7 +44,7 @@ struct SynthesisJson<'a> {
     model: Subject<'a>,
     complete: bool,
     tried: Vec<TriedJson<'a>>,
-    linkages: Vec<DesignJson<'a>>,
+    linkages: Vec<LinkageJson<'a>>,
 }
 
 impl<'a> From<&'a Tried> for TriedJson<'a> {
@@ -70,8 +70,8 @@ impl<'a> From<&'a Tried> for TriedJson<'a> {
 /// `synthesis.json`.
 impl Serialize for Synthesised {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        fn design(own: &super::Design) -> DesignJson<'_> {
-            DesignJson {
+        fn design(own: &super::FoundLinkage) -> LinkageJson<'_> {
+            LinkageJson {
                 kind: &own.kind,
                 front: own.front,
                 largest_distance: own.off,

@@ -1,6 +1,6 @@
 //! Candidates put through the engine: defects, and how good they are.
 
-use super::problem::{Goal, Problem};
+use super::problem::{Goal, LinkageTask};
 use super::search::{EXACT, Gathered};
 use super::written::{Drive, Names, document};
 use crate::shape::poses_of;
@@ -41,13 +41,15 @@ pub enum Defect {
 
 /// A linkage that does what is wanted.
 #[derive(Debug, Clone)]
-pub struct Design {
+pub struct FoundLinkage {
     /// The kind, `four_bar`.
     pub kind: String,
     /// The linkage and its crank's angles.
     pub candidate: Candidate,
     /// Its model.
     pub model: Value,
+    /// Its point, `coupler.P`; there is none of a function.
+    pub point: String,
     /// Largest distance of its point from what is wanted \[m\], of the engine's run.
     pub off: Option<f64>,
     /// Largest difference of its output's angle \[rad\].
@@ -68,7 +70,7 @@ pub struct Design {
     pub motion: Option<(Vec<f64>, Vec<f64>)>,
 }
 
-impl Problem {
+impl LinkageTask {
     /// What a candidate is worth.
     ///
     /// # Errors
@@ -78,7 +80,7 @@ impl Problem {
         of: &Gathered,
         candidate: &Candidate,
         control: &Control,
-    ) -> Result<Design, Defect> {
+    ) -> Result<FoundLinkage, Defect> {
         if !self.allows(&candidate.linkage) {
             return Err(Defect::Limits);
         }
@@ -103,7 +105,7 @@ impl Problem {
         if let Some(found) = found.filter(|found| found.rms < EXACT) {
             candidate = found.candidate;
         }
-        self.run(&of.kind, candidate, control)
+        self.run(of, candidate, control)
     }
 
     /// Whether the linkage comes from each position to the next, and is not further off than that, by the extent.
@@ -197,7 +199,12 @@ impl Problem {
     }
 
     /// Runs it through all positions.
-    fn run(&self, kind: &str, candidate: Candidate, control: &Control) -> Result<Design, Defect> {
+    fn run(
+        &self,
+        of: &Gathered,
+        candidate: Candidate,
+        control: &Control,
+    ) -> Result<FoundLinkage, Defect> {
         let linkage = &candidate.linkage;
         let turns = &candidate.turns;
         let last = turns.iter().copied().fold(
@@ -216,7 +223,7 @@ impl Problem {
             });
         let title = format!(
             "{} for {}",
-            kind.replace('_', "-"),
+            of.kind.replace('_', "-"),
             match self.goal {
                 Goal::Path => "a path",
                 Goal::Motion => "positions",
@@ -275,10 +282,15 @@ impl Problem {
         let (off, off_angle) = self
             .off(&outcome, &names, linkage)
             .ok_or_else(|| broken("its results lack columns"))?;
+        // Beside a dead centre the run may have gone another way.
+        let parts = off.map(|off| off / self.size).into_iter().chain(off_angle);
+        if parts.into_iter().any(|part| part > of.off) {
+            return Err(Defect::Branch);
+        }
         let (size, spread) = measured(linkage, turns).ok_or_else(|| broken("it does not close"))?;
         let motion = poses_of(file.model(), &outcome);
-        Ok(Design {
-            kind: kind.to_owned(),
+        Ok(FoundLinkage {
+            kind: of.kind.clone(),
             model,
             off,
             off_angle,
@@ -289,6 +301,7 @@ impl Problem {
             turns_fully,
             front: 0,
             motion,
+            point: names.point,
             candidate,
         })
     }

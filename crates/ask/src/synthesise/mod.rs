@@ -3,6 +3,7 @@
 mod front;
 mod json;
 mod judged;
+mod listed;
 mod page;
 mod problem;
 mod search;
@@ -11,14 +12,15 @@ mod written;
 
 use crate::{ModelFile, Question, Text, Unanswered};
 use front::ranked;
-use judged::{Defect, Design};
+use judged::{Defect, FoundLinkage};
 use linkdyn_engine::analysis::Control;
 use linkdyn_model::FileAccess;
-use problem::Problem;
+use problem::LinkageTask;
 use rayon::prelude::*;
 use search::Gathered;
 use serde_json::Value;
 
+pub use listed::{ListedChains, MOST_BODIES, all_chains};
 pub use problem::Goal;
 
 /// Linkages that are kept, and starts, where nobody says.
@@ -64,18 +66,18 @@ pub struct Tried {
 pub struct Synthesised {
     /// The task.
     pub file: ModelFile,
-    problem: Problem,
+    problem: LinkageTask,
     /// How candidates fared.
     pub tried: Vec<Tried>,
     /// The best ones, the best first.
-    designs: Vec<Design>,
+    designs: Vec<FoundLinkage>,
 }
 
 impl Question for Synthesise {
     type Answer = Synthesised;
 
     fn answer(&self, file: &ModelFile, control: &Control) -> Result<Synthesised, Unanswered> {
-        let problem = Problem::of(file)?;
+        let problem = LinkageTask::of(file)?;
         let mut all = Fared::default();
         let stopped = || Unanswered::Interrupted;
         for kind in problem.kinds() {
@@ -113,12 +115,12 @@ impl Question for Synthesise {
 #[derive(Default)]
 struct Fared {
     tried: Vec<Tried>,
-    designs: Vec<Design>,
+    designs: Vec<FoundLinkage>,
 }
 
 impl Fared {
     /// Takes the candidates of a search; how many of them are good.
-    fn take(&mut self, problem: &Problem, own: Gathered, control: &Control) -> usize {
+    fn take(&mut self, problem: &LinkageTask, own: Gathered, control: &Control) -> usize {
         let (one, found) = judge(problem, own, control);
         let good = one.good;
         // Several choices of crank and output of a kind are told as one.
@@ -132,8 +134,8 @@ impl Fared {
     }
 }
 
-fn judge(problem: &Problem, own: Gathered, control: &Control) -> (Tried, Vec<Design>) {
-    let verdicts: Vec<Result<Design, Defect>> = own
+fn judge(problem: &LinkageTask, own: Gathered, control: &Control) -> (Tried, Vec<FoundLinkage>) {
+    let verdicts: Vec<Result<FoundLinkage, Defect>> = own
         .candidates
         .par_iter()
         .map(|candidate| match control.stop() {

@@ -1,10 +1,10 @@
 //! The page: each linkage in motion, with what is wanted of it.
 
 use super::Synthesised;
-use super::judged::{Design, read};
+use super::judged::{FoundLinkage, read};
 use crate::shape::with_profiles;
-use linkdyn_picture::poses::{Pose, Poses};
-use linkdyn_picture::{Fault, Film, Mechanism, films_page};
+use linkdyn_picture::poses::{Pose, Poses, global};
+use linkdyn_picture::{Fault, Mechanism, MovingMechanism, Shape, films_page};
 
 /// Pictures of a motion, at most.
 const MOST_ROWS: usize = 64;
@@ -22,24 +22,21 @@ impl Synthesised {
         let mut lines = words.lines();
         let mut facts: Vec<String> = lines.next().map(str::to_owned).into_iter().collect();
         for own in &self.tried {
-            facts.push(format!(
-                "{}: {}",
-                own.kind.replace('_', "-"),
-                own.lines().join("; ")
-            ));
+            let kind = own.kind.replace('_', "-");
+            facts.extend(own.lines().iter().map(|line| format!("{kind}: {line}")));
         }
-        let films: Option<Vec<Result<Film, Fault>>> = self
+        let films: Option<Vec<Result<MovingMechanism, Fault>>> = self
             .designs
             .iter()
             .zip(1..)
             .map(|(design, number)| self.film(design, number))
             .collect();
-        let films: Result<Vec<Film>, Fault> = films?.into_iter().collect();
+        let films: Result<Vec<MovingMechanism>, Fault> = films?.into_iter().collect();
         let title = format!("{}: linkages", self.file.name());
         Some(films.map(|films| films_page(&title, &facts, &films)))
     }
 
-    fn film(&self, design: &Design, number: usize) -> Option<Result<Film, Fault>> {
+    fn film(&self, design: &FoundLinkage, number: usize) -> Option<Result<MovingMechanism, Fault>> {
         let file = read(&design.model)?;
         let (times, poses) = design.motion.as_ref()?;
         let shape = with_profiles(file.model());
@@ -53,6 +50,10 @@ impl Synthesised {
                 std::iter::once([0.0; 3]).chain(own).collect()
             })
             .collect();
+        let path = rows
+            .iter()
+            .filter_map(|row| place(&shape, row, &design.point));
+        let path = path.collect();
         let display = &self.problem.display;
         let mut texts = vec![format!("{number}: {}", design.kind.replace('_', "-"))];
         texts.extend(
@@ -74,12 +75,22 @@ impl Synthesised {
             texts.push("no other one is better in everything".into());
         }
         let marks = self.problem.wanted.iter().filter_map(|own| own.point);
-        let film = Mechanism::new(shape, Poses::of(&rows)).map(|mechanism| Film {
+        let film = Mechanism::new(shape, Poses::of(&rows)).map(|mechanism| MovingMechanism {
             texts,
             mechanism,
             rows: rows.len(),
+            path,
             marks: marks.map(|at| [at.re, at.im]).collect(),
         });
         Some(film)
     }
+}
+
+/// Where a point of a body is, `coupler.P`.
+fn place(shape: &Shape, poses: &[Pose], point: &str) -> Option<[f64; 2]> {
+    let (body, point) = point.split_once('.')?;
+    let number = shape.bodies.iter().position(|own| own.name == body)?;
+    let mut points = shape.bodies[number].points.iter();
+    let (_, x, y) = points.find(|(name, ..)| name == point)?;
+    Some(global(poses[number], [*x, *y]))
 }

@@ -19,7 +19,7 @@ pub enum Goal {
 
 /// The task.
 #[derive(Debug, Clone)]
-pub struct Problem {
+pub struct LinkageTask {
     /// As it was asked.
     pub asked: Synthesise,
     /// What kind of output.
@@ -50,12 +50,12 @@ const ROOM: f64 = 3.0;
 const LONGEST: f64 = 10.0;
 const SHORTEST: f64 = 1e-3;
 
-impl Problem {
+impl LinkageTask {
     /// Of a file that has a task.
     ///
     /// # Errors
     /// Where it has none.
-    pub fn of(file: &ModelFile) -> Result<Problem, Unanswered> {
+    pub fn of(file: &ModelFile) -> Result<LinkageTask, Unanswered> {
         let Some(asked) = &file.model().synthesise else {
             return Err(Unanswered::question(
                 "\"synthesise\" is missing (as in \"synthesise\": { \"path\": [[0, 0], [10, 5], [20, 5]] })",
@@ -63,47 +63,40 @@ impl Problem {
         };
         let crank = |k: usize| asked.crank.as_ref().map(|own| own[k] - own[0]);
         let number = |[x, y]: [f64; 2]| Number::new(x, y);
-        let (goal, wanted): (Goal, Vec<Wanted>) = match (
-            &asked.path,
-            &asked.positions,
-            &asked.function,
-        ) {
-            (Some(path), ..) => {
-                let one = |(k, point): (usize, &[f64; 2])| Wanted {
-                    crank: crank(k),
-                    point: Some(number(*point)),
-                    angle: None,
-                };
-                (Goal::Path, path.iter().enumerate().map(one).collect())
-            }
-            (_, Some(positions), _) => {
-                // Angles are counted from the first position that has one; it may turn as it likes before.
-                let first = positions[0].angle;
-                let one = |(k, own): (usize, &linkdyn_model::synthesise::WantedPosition)| Wanted {
-                    crank: crank(k),
-                    point: Some(number(own.point)),
-                    angle: own.angle.zip(first).map(|(own, first)| own - first),
-                };
-                if first.is_none() && positions.iter().any(|own| own.angle.is_some()) {
-                    return Err(Unanswered::question(
-                        "synthesise.positions[0]: \"angle\" is missing, though others have one (angles are counted from that of the first position)",
-                    ));
+        let (goal, wanted): (Goal, Vec<Wanted>) =
+            match (&asked.path, &asked.positions, &asked.function) {
+                (Some(path), ..) => {
+                    let one = |(k, point): (usize, &[f64; 2])| Wanted {
+                        crank: crank(k),
+                        point: Some(number(*point)),
+                        angle: None,
+                    };
+                    (Goal::Path, path.iter().enumerate().map(one).collect())
                 }
-                (
-                    Goal::Motion,
-                    positions.iter().enumerate().map(one).collect(),
-                )
-            }
-            (_, _, pairs) => {
-                let pairs = pairs.as_deref().unwrap_or_default();
-                let one = |pair: &[f64; 2]| Wanted {
-                    crank: Some(pair[0] - pairs[0][0]),
-                    point: None,
-                    angle: Some(pair[1] - pairs[0][1]),
-                };
-                (Goal::Function, pairs.iter().map(one).collect())
-            }
-        };
+                (_, Some(positions), _) => {
+                    // Angles are counted from that of the first position.
+                    let first = positions[0].angle;
+                    let one =
+                        |(k, own): (usize, &linkdyn_model::synthesise::WantedPosition)| Wanted {
+                            crank: crank(k),
+                            point: Some(number(own.point)),
+                            angle: own.angle.zip(first).map(|(own, first)| own - first),
+                        };
+                    (
+                        Goal::Motion,
+                        positions.iter().enumerate().map(one).collect(),
+                    )
+                }
+                (_, _, pairs) => {
+                    let pairs = pairs.as_deref().unwrap_or_default();
+                    let one = |pair: &[f64; 2]| Wanted {
+                        crank: Some(pair[0] - pairs[0][0]),
+                        point: None,
+                        angle: Some(pair[1] - pairs[0][1]),
+                    };
+                    (Goal::Function, pairs.iter().map(one).collect())
+                }
+            };
         let base = asked.base.unwrap_or(1.0);
         let points: Vec<Number> = match goal {
             Goal::Function => vec![Number::default(), Number::from(base)],
@@ -115,7 +108,7 @@ impl Problem {
             .flat_map(|a| points.iter().map(move |b| (a - b).norm()));
         let size = apart.fold(0.0, f64::max);
         let around = [middle.re, middle.im].map(|at| [at - ROOM * size, at + ROOM * size]);
-        Ok(Problem {
+        Ok(LinkageTask {
             goal,
             pairs: asked.function.clone().unwrap_or_default(),
             base,

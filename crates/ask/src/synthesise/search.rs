@@ -1,6 +1,6 @@
 //! Candidates: all of them where an exact method knows them, else from many starts.
 
-use super::problem::{Goal, Problem};
+use super::problem::{Goal, LinkageTask};
 use linkdyn_engine::analysis::Control;
 use linkdyn_linear::bilinear::{Number, Random};
 use linkdyn_model::synthesise::LinkageKind;
@@ -69,7 +69,7 @@ struct Template {
     output: usize,
 }
 
-impl Problem {
+impl LinkageTask {
     /// All linkages of a kind, or some on a curve of them, where an exact method knows them; outer `None`: stopped.
     #[allow(clippy::option_option)]
     pub fn exact(&self, kind: LinkageKind, control: &Control) -> Option<Option<Gathered>> {
@@ -120,7 +120,10 @@ impl Problem {
             (_, 0) => {
                 let left = match self.goal {
                     Goal::Function => self.display.angle_to(best, 3),
-                    Goal::Path | Goal::Motion => self.display.length_to(best * self.size, 3),
+                    // Two components to a distance.
+                    Goal::Path | Goal::Motion => self
+                        .display
+                        .length_to(std::f64::consts::SQRT_2 * best * self.size, 3),
                 };
                 format!("{count} came to a minimum; the best is {left} off, root mean square")
             }

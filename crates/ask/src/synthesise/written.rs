@@ -1,6 +1,6 @@
 //! A linkage as a model: bodies with points, pins and guides, every dimension a parameter.
 
-use super::problem::{Goal, Problem};
+use super::problem::{Goal, LinkageTask};
 use indexmap::IndexMap;
 use linkdyn_linear::bilinear::Number;
 use linkdyn_model::display::Shown;
@@ -103,7 +103,12 @@ fn angle(value: f64) -> String {
 }
 
 /// The model of a linkage.
-pub fn document(problem: &Problem, linkage: &Linkage, title: &str, drive: Drive) -> (Value, Names) {
+pub fn document(
+    problem: &LinkageTask,
+    linkage: &Linkage,
+    title: &str,
+    drive: Drive,
+) -> (Value, Names) {
     let names = bodies(linkage);
     let mut writer = Writer {
         length: &problem.display.length,

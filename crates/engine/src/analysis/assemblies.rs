@@ -296,7 +296,11 @@ pub fn all_circuits(
         values_of,
         &drawn.dependent,
         &mut all,
+        &|| control.stop().is_some(),
     );
+    let Some(found) = found else {
+        return Ok(None);
+    };
     let mut circuits: Vec<FoundCircuit> = found
         .iter()
         .map(|circuit| FoundCircuit {

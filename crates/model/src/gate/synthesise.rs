@@ -112,6 +112,12 @@ fn places(rules: &mut Rules<'_>, asked: &Synthesise) {
     } else {
         "positions"
     };
+    let positions = asked.positions.as_deref().unwrap_or_default();
+    if positions.iter().any(|own| own.angle.is_some()) && positions[0].angle.is_none() {
+        let message = "\"angle\" is missing, though others have one";
+        let hint = "angles are counted from that of the first position";
+        rules.complain("synthesise.positions[0]", message, hint);
+    }
     let angle = |k: usize| asked.positions.as_ref().and_then(|own| own[k].angle);
     for k in 1..points.len() {
         if points[k] == points[k - 1] && angle(k) == angle(k - 1) {

@@ -361,7 +361,10 @@ impl<'a> Walk<'a> {
         if choices.contains(&text) {
             return Some(Tree::from(text));
         }
-        let word = path.rsplit(['.', ']']).next().unwrap_or(path);
+        let word = match path.ends_with(']') {
+            true => "word",
+            false => path.rsplit('.').next().unwrap_or(path),
+        };
         let hint = match (choices, suggest::meant(text, choices)) {
             (["SI"], _) => format!("write {}", examples::example("units").unwrap_or_default()),
             ([only], _) if word != "type" => format!("{only:?} is expected"),

@@ -1,6 +1,6 @@
 //! The equations of a path, and how their roots move with the points.
 
-use super::{Displacements, Unknowns};
+use super::unknowns::{Displacements, Unknowns};
 use linkdyn_linear::bilinear::Number;
 use nalgebra::{SMatrix, SVector};
 
@@ -37,17 +37,17 @@ pub enum End {
 }
 
 /// Values, and derivatives by the unknowns and along a change of the points.
-struct Rows {
+struct PathRows {
     values: Column,
     jacobian: Matrix,
     along: Column,
 }
 
 /// One row, each of its terms with the derivatives by x, x̄, a, ā, y, ȳ, b, b̄.
-fn rows(z: &Column, points: &Displacements, change: Option<&Displacements>) -> Rows {
+fn rows(z: &Column, points: &Displacements, change: Option<&Displacements>) -> PathRows {
     let [x, xx, a, aa] = [z[0], z[1], z[2], z[3]];
     let [y, yy, b, bb] = [z[4], z[5], z[6], z[7]];
-    let mut all = Rows {
+    let mut all = PathRows {
         values: Column::zeros(),
         jacobian: Matrix::zeros(),
         along: Column::zeros(),
@@ -91,7 +91,7 @@ fn rows(z: &Column, points: &Displacements, change: Option<&Displacements>) -> R
             all.along[j] = by_d * change[j][0] + by_dd * change[j][1];
         }
     }
-    // Rows differ by the sizes of points: by the fourth power.
+    // PathRows differ by the sizes of points: by the fourth power.
     for j in 0..8 {
         let size = all.jacobian.row(j).iter().map(|v| v.norm()).sum::<f64>();
         if size > 0.0 {

@@ -20,6 +20,7 @@
 mod follow;
 mod monodromy;
 mod table;
+mod unknowns;
 
 use crate::dyad::Dyad;
 use follow::NEARER;
@@ -29,12 +30,7 @@ use table::Table;
 
 pub use follow::{End, NEAR, follow};
 pub use monodromy::all_of_random_points;
-
-/// Displacements of eight points from the first, and their conjugates, which may be any numbers.
-pub type Displacements = [[Number; 2]; 8];
-
-/// x, x̄, a, ā, y, ȳ, b, b̄.
-pub type Unknowns = [Number; 8];
+pub use unknowns::{Displacements, Unknowns};
 
 /// Points that a path is wanted through.
 pub const POINTS: usize = 9;

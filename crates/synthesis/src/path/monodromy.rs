@@ -3,7 +3,8 @@
 
 use super::follow::{End, NEAR, follow, polished};
 use super::table::Table;
-use super::{CURVES, Displacements, Unknowns, cognates, start};
+use super::unknowns::{Displacements, Unknowns};
+use super::{CURVES, cognates, start};
 use linkdyn_linear::bilinear::{Number, Random};
 use rayon::prelude::*;
 

@@ -1,6 +1,6 @@
 //! Coupler curves, each once.
 
-use super::Unknowns;
+use super::unknowns::Unknowns;
 use std::collections::BTreeMap;
 
 /// What cognates have in common: the sum of their pivots and of the products of two.

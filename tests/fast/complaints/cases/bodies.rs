@@ -89,7 +89,7 @@ pub const CASES: &[Case] = &[
         sets: &[],
         complaints: &[
             r#"line 1, column 1: "bodies" is missing (as in "bodies": { "crank": { "points": { "A": [0, 0], "B": [50, 0] } } })"#,
-            r#"line 6, column 3: parts: "parts": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, tables, inputs, states, initial, points, measures, analysis, accuracy, outputs, responses, study, optimise, note)"#,
+            r#"line 6, column 3: parts: "parts": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, tables, inputs, states, initial, points, measures, analysis, accuracy, outputs, responses, study, optimise, synthesise, note)"#,
         ],
     },
     Case {
@@ -98,7 +98,7 @@ pub const CASES: &[Case] = &[
         sets: &[],
         complaints: &[
             "line 6, column 13: bodies: it is empty, at least one is needed",
-            r#"line 6, column 17: initials: "initials": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, tables, inputs, states, initial, points, measures, analysis, accuracy, outputs, responses, study, optimise, note)"#,
+            r#"line 6, column 17: initials: "initials": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, tables, inputs, states, initial, points, measures, analysis, accuracy, outputs, responses, study, optimise, synthesise, note)"#,
         ],
     },
 ];

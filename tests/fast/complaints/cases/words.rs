@@ -111,7 +111,7 @@ pub const CASES: &[Case] = &[
         edits: &[(r#""name""#, r#""titel""#)],
         sets: &[],
         complaints: &[
-            r#"line 3, column 3: titel: "titel": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, tables, inputs, states, initial, points, measures, analysis, accuracy, outputs, responses, study, optimise, note)"#,
+            r#"line 3, column 3: titel: "titel": unknown key (known keys: format, units, parameters, name, about, source, gravity, bodies, joints, drivers, forces, tables, inputs, states, initial, points, measures, analysis, accuracy, outputs, responses, study, optimise, synthesise, note)"#,
         ],
     },
     Case {

@@ -89,13 +89,17 @@ pub fn circuits(
     driven: DriverValues,
     dependent: &[usize],
     all: &mut [Assemblies],
-) -> Vec<Circuit> {
+    stop: &dyn Fn() -> bool,
+) -> Option<Vec<Circuit>> {
     let mut owner: Vec<Vec<bool>> = all.iter().map(|one| vec![false; one.found.len()]).collect();
     let mut found = Vec::new();
     for number in 0..all.len() {
         for index in 0..all[number].found.len() {
             if owner[number][index] || !all[number].found[index].is_proven {
                 continue;
+            }
+            if stop() {
+                return None;
             }
             let mut walk = CircuitWalk::new(system, blocks, inputs, driven, dependent);
             walk.held = all[number]
@@ -114,7 +118,7 @@ pub fn circuits(
             found.push(circuit);
         }
     }
-    found
+    Some(found)
 }
 
 /// A way along a circuit.
