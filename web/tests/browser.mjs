@@ -49,7 +49,19 @@ export const open = async ({ hash = "", ...options } = {}) => {
 
 const hands = (page) => {
   const editor = (act, ...given) => page.evaluate(act, ...given);
-  const idle = async () => { await page.waitForTimeout(60); await page.waitForFunction(() => window.editor.isIdle); };
+  // Nothing is computed, and the drawing stands where it stood a while ago: under load a click would come too early.
+  const idle = async () => {
+    await page.waitForTimeout(60);
+    await page.waitForFunction(() => {
+      const { editor } = window, frame = document.querySelector("#view iframe:not(.coming)"), canvas = editor.frame.report?.stage?.canvas;
+      const boxes = [frame, canvas].map((own) => own && JSON.stringify(own.getBoundingClientRect()));
+      let place = "";
+      try { place = String(editor.canvas.pixel([1, 0])); } catch { /* Nothing is drawn. */ }
+      const now = [...boxes, place].join(" "), before = window.stoodAt;
+      window.stoodAt = now;
+      return editor.isIdle && now === before;
+    }, undefined, { polling: 40 });
+  };
   // The place of the canvas on the page.
   const corner = () => editor(() => {
     const [frame, canvas] = [document.querySelector("#view iframe:not(.coming)"), window.editor.frame.report.stage.canvas].map((own) => own.getBoundingClientRect());
