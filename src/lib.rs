@@ -90,7 +90,9 @@ pub mod ask {
     pub use linkdyn_ask::Question;
     pub use linkdyn_ask::accuracy::{Accuracy, Deviations};
     pub use linkdyn_ask::allocate::{Allocate, Allocation};
-    pub use linkdyn_ask::assemblies::{Assemblies, AssembliesFound, Circuits, CircuitsFound};
+    pub use linkdyn_ask::assemblies::{
+        Assemblies, AssembliesFound, Circuits, CircuitsFound, Workspace, WorkspaceFound,
+    };
     pub use linkdyn_ask::check::{Check, Diagnosis};
     pub use linkdyn_ask::compare::{Compare, Compared};
     pub use linkdyn_ask::modes::{Modes, SmallMotions};

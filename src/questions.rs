@@ -7,7 +7,7 @@ use crate::ask::{
     Accuracy, Allocate, Allocation, Assemblies, AssembliesFound, Check, Circuits, CircuitsFound,
     Compare, Compared, Deviations, Diagnosis, FastestMotion, Linearisation, Modes, Optimise,
     Optimised, PathTime, Question, SmallMotions, StateSpace, Studied, Study, Synthesise,
-    Synthesised,
+    Synthesised, Workspace, WorkspaceFound,
 };
 use crate::error::Error;
 use crate::mechanism::Mechanism;
@@ -240,6 +240,14 @@ impl Mechanism {
     /// # Errors
     /// As [`Mechanism::assemblies`].
     pub fn circuits(&self, question: &Circuits) -> Result<CircuitsFound, Error> {
+        self.ask(question, &Control::default())
+    }
+
+    /// Where two drivers can stand, where assemblies meet, and where a point gets.
+    ///
+    /// # Errors
+    /// As [`Mechanism::assemblies`].
+    pub fn workspace(&self, question: &Workspace) -> Result<WorkspaceFound, Error> {
         self.ask(question, &Control::default())
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 
 use super::exit::{Exit, Failure};
 use super::interrupt;
@@ -10,15 +10,16 @@ use super::measures::range;
 use super::open::ModelOptions;
 use super::progress::Line;
 use super::streams::{complain, json, print, tell, tell_json};
-use linkdyn_ask::Question;
-use linkdyn_ask::assemblies::{Assemblies, Circuits, MOST};
+use linkdyn_ask::assemblies::{Assemblies, Circuits, MOST, Workspace};
+use linkdyn_ask::{ModelFile, Question};
 use linkdyn_output::{Directory, Status};
 
 const ASSEMBLIES: [&str; 2] = ["assemblies.json", "assemblies.html"];
 const CIRCUITS: [&str; 2] = ["circuits.json", "circuits.html"];
+const WORKSPACE: [&str; 2] = ["workspace.json", "workspace.html"];
 
 #[derive(Debug, Args)]
-#[command(after_help = HELP)]
+#[command(after_help = HELP, group(ArgGroup::new("led").args(["circuits", "workspace"])))]
 pub struct Options {
     #[command(flatten)]
     model: ModelOptions,
@@ -42,8 +43,20 @@ pub struct Options {
     /// The driver that is led; needed if there are several
     #[arg(long, value_name = "DRIVER", requires = "circuits")]
     driver: Option<String>,
-    /// Its values at which all assemblies are looked for [default: 72]
-    #[arg(long, value_name = "N", requires = "circuits")]
+    /// Lead two drivers through their values: where they can stand, where assemblies meet, and where this point gets
+    #[arg(long, value_name = "POINT", conflicts_with_all = ["at", "circuits", "take"])]
+    workspace: Option<String>,
+    /// Both of them; needed if there are more
+    #[arg(
+        long,
+        value_name = "A,B",
+        requires = "workspace",
+        value_delimiter = ',',
+        num_args = 1
+    )]
+    drivers: Vec<String>,
+    /// Values of a driver at which all assemblies are looked for [default: 72; 49 of each for a workspace]
+    #[arg(long, value_name = "N", requires = "led")]
     values: Option<usize>,
     /// Its least and greatest value [rad or m]; by default a full turn, or what its motion passes
     #[arg(long, value_name = "A:B", requires = "circuits", value_parser = range, allow_hyphen_values = true)]
@@ -52,7 +65,7 @@ pub struct Options {
     #[arg(long)]
     json: bool,
     /// Write assemblies.json and assemblies.html, in which they are drawn, into this directory (made where missing); with --circuits
-    /// circuits.json and circuits.html
+    /// circuits.json and circuits.html, with --workspace workspace.json and workspace.html
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
 }
@@ -60,6 +73,7 @@ pub struct Options {
 const HELP: &str = "  linkdyn assemblies jansen-leg -o out
   linkdyn assemblies mine.json --take 2 > other.json
   linkdyn assemblies watt-i-lock --circuits -o out
+  linkdyn assemblies double-wishbone --workspace upright.wheel -o out
 
 How they are found, and what the files hold: linkdyn docs assemblies.";
 
@@ -93,6 +107,9 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         }
         return Ok(Exit::Done);
     }
+    if let Some(point) = &options.workspace {
+        return mapped(options, &file, point, directory.as_ref());
+    }
     let question = Assemblies {
         at: options.at,
         most: options.most,
@@ -122,6 +139,41 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
     if found.found.found.is_empty() {
         complain("there is no assembly: `linkdyn check` tells which loop does not close");
         return Ok(Exit::from(Status::AssemblyFailed));
+    }
+    Ok(Exit::Done)
+}
+
+/// The map of two drivers.
+fn mapped(
+    options: &Options,
+    file: &ModelFile,
+    point: &str,
+    directory: Option<&Directory>,
+) -> Result<Exit, Failure> {
+    let drivers = match &options.drivers[..] {
+        [] => None,
+        [one, other] => Some([one.clone(), other.clone()]),
+        _ => {
+            let message = "--drivers: name two, as in --drivers left,right";
+            return Err(Failure::BadInput(vec![message.to_owned()]));
+        }
+    };
+    let question = Workspace {
+        point: point.to_owned(),
+        drivers,
+        values: options.values,
+        most: Some(options.most),
+    };
+    let control = interrupt::control();
+    let line = Line::watch(file.name(), &control);
+    let found = question.answer(file, &control);
+    drop(line);
+    let found = found.map_err(|why| options.model.refuse(why))?;
+    let page = found.html().map(Some);
+    let written = write(directory, WORKSPACE, &json(&found)?, page)?;
+    match options.json {
+        true => tell_json(&found)?,
+        false => tell(found.text(), &written)?,
     }
     Ok(Exit::Done)
 }

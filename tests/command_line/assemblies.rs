@@ -170,6 +170,62 @@ fn bad_questions_and_loops_that_do_not_close_end_with_their_own_status() {
             "two numbers are wanted",
         ),
         (&["four-bar", "--values", "5"], "--circuits"),
+        (
+            &["four-bar", "--workspace", "coupler.P"],
+            "drivers: the map is that of two drivers, and there are 1 (say --drivers A,B if there are more; `--circuits` is for one)",
+        ),
+        (
+            &[
+                "excavator",
+                "--workspace",
+                "bucket.tooth",
+                "--drivers",
+                "lift",
+            ],
+            "--drivers: name two, as in --drivers left,right",
+        ),
+        (
+            &[
+                "excavator",
+                "--workspace",
+                "bucket.tooth",
+                "--drivers",
+                "lift,lift",
+            ],
+            "drivers: \"lift\" is named twice (name two)",
+        ),
+        (
+            &[
+                "excavator",
+                "--workspace",
+                "bucket.teeth",
+                "--drivers",
+                "lift,curl",
+            ],
+            "bodies: there is no moving point \"bucket.teeth\" (as in coupler.P)",
+        ),
+        (
+            &[
+                "excavator",
+                "--workspace",
+                "tooth",
+                "--drivers",
+                "lift,curl",
+            ],
+            "--workspace: \"tooth\" is not body.point",
+        ),
+        (
+            &[
+                "excavator",
+                "--workspace",
+                "bucket.tooth",
+                "--drivers",
+                "lift,curl",
+                "--values",
+                "1",
+            ],
+            "--values 1: 2 to 400 values of each driver",
+        ),
         (&["four-bar", "--driver", "motor"], "--circuits"),
         (
             &["four-bar", "--circuits", "--at", "1"],
@@ -190,4 +246,30 @@ fn bad_questions_and_loops_that_do_not_close_end_with_their_own_status() {
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {complained}");
         assert!(complained.contains(part), "{arguments:?}: {complained}");
     }
+}
+
+#[test]
+fn the_map_of_two_drivers_is_written() {
+    let scratch = Scratch::new("workspace");
+    let ask = [
+        "excavator",
+        "--workspace",
+        "bucket.tooth",
+        "--drivers",
+        "lift,curl",
+        "--values",
+        "9",
+        "-o",
+        "out",
+        "--json",
+    ];
+    let map = told(&assemblies(&scratch, &ask));
+    let read = |name: &str| fs::read_to_string(scratch.0.join("out").join(name)).expect("a file");
+    assert_eq!(
+        map,
+        serde_json::from_str::<Value>(&read("workspace.json")).expect("JSON")
+    );
+    assert_eq!(map["drivers"], serde_json::json!(["lift", "curl"]));
+    assert_eq!(map["assemblies"].as_array().map(Vec::len), Some(9));
+    assert_eq!(read("workspace.html").matches("<svg").count(), 1);
 }

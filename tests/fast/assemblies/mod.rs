@@ -3,6 +3,7 @@
 mod circuits;
 mod refused;
 mod search;
+mod workspace;
 
 use crate::mechanisms::*;
 use linkdyn_engine::analysis::{AllAssemblies, Control, all_assemblies};

@@ -5,9 +5,11 @@ mod grashof;
 mod json;
 mod page;
 mod text;
+mod workspace;
 
 pub use circuits::{Circuits, CircuitsFound};
 pub use grashof::{FourBarClass, GrashofClass};
+pub use workspace::{Workspace, WorkspaceFound};
 
 use crate::put::{Put, read};
 use crate::{ModelFile, Question, Unanswered};

@@ -70,9 +70,9 @@ pub fn all_assemblies(
 }
 
 /// A model, and its assembly as it is drawn.
-struct DrawnSystem {
-    system: System,
-    inputs: Inputs,
+pub(super) struct DrawnSystem {
+    pub(super) system: System,
+    pub(super) inputs: Inputs,
     /// The assembly; none where it can't be reached from the drawing.
     q: Option<Vec<f64>>,
     dependent: Vec<usize>,
@@ -80,7 +80,7 @@ struct DrawnSystem {
 }
 
 impl DrawnSystem {
-    fn new(model: &Checked, time: f64) -> Result<Self, Complaints> {
+    pub(super) fn new(model: &Checked, time: f64) -> Result<Self, Complaints> {
         let mut system = compile(&model.with_clearances(|_| false), AnalysisKind::Assembly)?;
         // Initial values hold at t = 0 alone.
         if time != 0.0 {
@@ -103,7 +103,7 @@ impl DrawnSystem {
     }
 
     /// The same without initial values, which a driver that is led leaves: what they hold stays as it is.
-    fn without_initial(mut self) -> Self {
+    pub(super) fn without_initial(mut self) -> Self {
         self.system.initial.clear();
         self.system.starts.clear();
         if let Some(q) = &self.q {
@@ -120,7 +120,7 @@ impl DrawnSystem {
             .collect()
     }
 
-    fn assemblies(&self, inputs: &Inputs, most: usize, control: &Control) -> Assemblies {
+    pub(super) fn assemblies(&self, inputs: &Inputs, most: usize, control: &Control) -> Assemblies {
         let known = KnownPosition {
             q: self.q.as_ref().unwrap_or(&self.system.guess),
             dependent: &self.dependent,
@@ -128,6 +128,34 @@ impl DrawnSystem {
         };
         let stop = || control.stop().is_some();
         assemblies(&self.system, &self.blocks(), inputs, &known, most, &stop)
+    }
+
+    /// Two drivers by their names, or the only two.
+    pub(super) fn two_drivers(
+        &self,
+        names: Option<&[String; 2]>,
+    ) -> Result<[usize; 2], Complaints> {
+        match (names, self.system.drivers.len()) {
+            (Some([one, other]), _) => {
+                let both = [self.driver(Some(one))?, self.driver(Some(other))?];
+                match both[0] == both[1] {
+                    true => {
+                        let message = format!("{one:?} is named twice");
+                        Err(vec![Complaint::new("drivers", message).hint("name two")].into())
+                    }
+                    false => Ok(both),
+                }
+            }
+            (None, 2) => Ok([0, 1]),
+            (None, count) => {
+                let message = format!("the map is that of two drivers, and there are {count}");
+                let complaint = Complaint::new("drivers", message);
+                Err(vec![
+                    complaint.hint("say --drivers A,B if there are more; `--circuits` is for one"),
+                ]
+                .into())
+            }
+        }
     }
 
     /// The driver of a name, or the only one.
@@ -346,7 +374,7 @@ pub fn all_circuits(
 }
 
 /// What the motion of a driver passes in the analysis.
-fn passed(model: &Checked, data: &DriverData) -> Option<[f64; 2]> {
+pub(super) fn passed(model: &Checked, data: &DriverData) -> Option<[f64; 2]> {
     let end = model.analysis.as_ref()?.end?;
     let times = [0.0, end].into_iter().chain(data.law.turning_times(end));
     let values = times.map(|time| data.law.value(time));
@@ -428,7 +456,7 @@ fn body_name(system: &System, body: BodyId) -> String {
 }
 
 /// Why there may be more assemblies.
-fn doubts(system: &System, all: &Assemblies) -> Vec<String> {
+pub(super) fn doubts(system: &System, all: &Assemblies) -> Vec<String> {
     let mut doubts = Vec::new();
     if all.is_stopped {
         doubts.push("the search was interrupted".to_owned());

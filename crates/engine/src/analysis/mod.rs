@@ -50,6 +50,7 @@ mod suspicious;
 mod transmission;
 mod unbounded;
 pub mod words;
+mod workspace;
 
 pub use along::{AlongStroke, Rates};
 pub use assemblies::{
@@ -67,3 +68,4 @@ pub use progress::Progress;
 pub use run::{Prepared, run};
 pub use state_space::{LinearSystem, NoLinearSystem, StateSpaceQuestion, Variable, state_space};
 pub use suspicious::suspicious;
+pub use workspace::{SingularPlace, Workspace, WorkspaceQuestion, workspace};

@@ -47,14 +47,14 @@ impl Mechanism {
         scene
     }
 
-    /// Draws the way of a point [m] in a drawing of that width.
+    /// Draws the way of a point \[m\] in a drawing of that width.
     pub fn trace(&self, scene: &mut Scene, width: f64, path: &[[f64; 2]]) {
         let view = View::new(&self.frame, [0.0, 0.0], [width, self.frame.height(width)]);
         let places: Vec<Place> = path.iter().map(|place| view.place(*place)).collect();
         scene.line("trace", places, Pen::new(Ink::new(CURVES[1]), 0.75));
     }
 
-    /// Marks places [m] in a drawing of that width.
+    /// Marks places \[m\] in a drawing of that width.
     pub fn mark(&self, scene: &mut Scene, width: f64, places: &[[f64; 2]]) {
         let height = self.frame.height(width);
         let view = View::new(&self.frame, [0.0, 0.0], [width, height]);
