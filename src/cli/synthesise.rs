@@ -72,6 +72,9 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         true => tell_json(&found)?,
         false => tell(found.text(), &written)?,
     }
+    if found.is_stopped {
+        return Ok(Exit::Interrupted);
+    }
     if found.count() == 0 {
         complain(
             "no linkage does what is wanted: the lines above tell what stood in the way of each kind",

@@ -8,6 +8,8 @@ use std::cmp::Ordering;
 /// Pins that are nearer to each other than this part of the extent are the same, or much alike.
 const SAME: f64 = 1e-6;
 const ALIKE: f64 = 0.1;
+/// Errors larger than this times the least are too large.
+const WORSE: f64 = 5.0;
 /// Errors below this part of the extent are none.
 const NO_ERROR: f64 = 1e-9;
 
@@ -39,6 +41,12 @@ pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) ->
             own.push((costs(&design, problem), design));
         }
     }
+    // Beside what comes near, what does not is no answer.
+    let nearest = own
+        .iter()
+        .map(|(costs, _)| costs[0])
+        .fold(f64::INFINITY, f64::min);
+    own.retain(|(costs, _)| costs[0] <= WORSE * nearest);
     let beats = |a: &[f64], b: &[f64]| {
         let mut both = a.iter().zip(b);
         both.clone().all(|(a, b)| a <= b) && both.any(|(a, b)| a < b)

@@ -11,6 +11,8 @@ struct TriedJson<'a> {
     method: &'a str,
     complete: bool,
     notes: &'a [String],
+    starts: Option<u64>,
+    exact: Option<usize>,
     candidates: usize,
     good: usize,
     outside_limits: usize,
@@ -43,6 +45,7 @@ struct SynthesisJson<'a> {
     engine: &'a str,
     model: Subject<'a>,
     complete: bool,
+    interrupted: bool,
     tried: Vec<TriedJson<'a>>,
     linkages: Vec<LinkageJson<'a>>,
 }
@@ -54,6 +57,8 @@ impl<'a> From<&'a Tried> for TriedJson<'a> {
             method: &own.method,
             complete: own.is_complete,
             notes: &own.notes,
+            starts: own.searched.map(|own| own.starts),
+            exact: own.searched.map(|own| own.exact),
             candidates: own.candidates,
             good: own.good,
             outside_limits: own.outside,
@@ -89,7 +94,8 @@ impl Serialize for Synthesised {
         SynthesisJson {
             engine: ENGINE,
             model: self.file.subject(),
-            complete: self.tried.iter().all(|own| own.is_complete),
+            complete: !self.is_stopped && self.tried.iter().all(|own| own.is_complete),
+            interrupted: self.is_stopped,
             tried: self.tried.iter().map(TriedJson::from).collect(),
             linkages: self.designs.iter().map(design).collect(),
         }

@@ -17,7 +17,7 @@ use linkdyn_engine::analysis::Control;
 use linkdyn_model::FileAccess;
 use problem::LinkageTask;
 use rayon::prelude::*;
-use search::Gathered;
+use search::{Gathered, Searched};
 use serde_json::Value;
 
 pub use listed::{ListedChains, MOST_BODIES, all_chains};
@@ -43,6 +43,8 @@ pub struct Tried {
     pub is_complete: bool,
     /// What is to be known.
     pub notes: Vec<String>,
+    /// Of searches from starts, what they came to.
+    searched: Option<Searched>,
     /// Candidates, each driven at one of its pivots.
     pub candidates: usize,
     /// Those of them without a defect.
@@ -69,6 +71,8 @@ pub struct Synthesised {
     problem: LinkageTask,
     /// How candidates fared.
     pub tried: Vec<Tried>,
+    /// Whether it was stopped before all was tried.
+    pub is_stopped: bool,
     /// The best ones, the best first.
     designs: Vec<FoundLinkage>,
 }
@@ -79,25 +83,9 @@ impl Question for Synthesise {
     fn answer(&self, file: &ModelFile, control: &Control) -> Result<Synthesised, Unanswered> {
         let problem = LinkageTask::of(file)?;
         let mut all = Fared::default();
-        let stopped = || Unanswered::Interrupted;
-        for kind in problem.kinds() {
-            let exact = problem.exact(kind, control).ok_or_else(stopped)?;
-            let good = exact.map_or(0, |own| all.take(&problem, own, control));
-            // Where none of them is of use, what comes near may be.
-            if good == 0 {
-                for own in problem.sought(kind, control).ok_or_else(stopped)? {
-                    all.take(&problem, own, control);
-                }
-            }
-        }
-        if let Some(bodies) = problem.asked.bodies {
-            let found = problem.sought_in_chains(bodies as usize, control);
-            for own in found.ok_or_else(stopped)? {
-                all.take(&problem, own, control);
-            }
-        }
-        if control.stop().is_some() {
-            return Err(stopped());
+        let is_stopped = search(&problem, control, &mut all).is_none();
+        if is_stopped && all.designs.is_empty() {
+            return Err(Unanswered::Interrupted);
         }
         let Fared { tried, designs } = all;
         let most = problem.asked.most.unwrap_or(MOST) as usize;
@@ -107,8 +95,29 @@ impl Question for Synthesise {
             problem,
             tried,
             designs,
+            is_stopped,
         })
     }
+}
+
+/// Searches for all that is asked, and puts it through the engine; `None`: stopped.
+fn search(problem: &LinkageTask, control: &Control, all: &mut Fared) -> Option<()> {
+    for kind in problem.kinds() {
+        let exact = problem.exact(kind, control)?;
+        let good = exact.map_or(0, |own| all.take(problem, own, control));
+        // Where none of them is of use, what comes near may be.
+        if good == 0 {
+            problem.sought(kind, control, &mut |own| {
+                all.take(problem, own, control);
+            })?;
+        }
+    }
+    if let Some(bodies) = problem.asked.bodies {
+        problem.sought_in_chains(bodies as usize, control, &mut |own| {
+            all.take(problem, own, control);
+        })?;
+    }
+    control.stop().is_none().then_some(())
 }
 
 /// How all candidates fared.
@@ -148,6 +157,7 @@ fn judge(problem: &LinkageTask, own: Gathered, control: &Control) -> (Tried, Vec
         method: own.method,
         is_complete: own.is_complete,
         notes: own.notes,
+        searched: own.searched,
         candidates: verdicts.len(),
         ..Tried::default()
     };
@@ -176,6 +186,7 @@ impl Tried {
     fn add(&mut self, other: Tried) {
         self.is_complete &= other.is_complete;
         self.notes.extend(other.notes);
+        self.searched = self.searched.zip(other.searched).map(|(a, b)| a.with(b));
         self.candidates += other.candidates;
         self.good += other.good;
         self.outside += other.outside;

@@ -23,7 +23,11 @@ impl Synthesised {
         let mut facts: Vec<String> = lines.next().map(str::to_owned).into_iter().collect();
         for own in &self.tried {
             let kind = own.kind.replace('_', "-");
-            facts.extend(own.lines().iter().map(|line| format!("{kind}: {line}")));
+            facts.extend(
+                own.lines(&self.problem)
+                    .iter()
+                    .map(|line| format!("{kind}: {line}")),
+            );
         }
         let films: Option<Vec<Result<MovingMechanism, Fault>>> = self
             .designs

@@ -47,6 +47,36 @@ pub struct Gathered {
     pub is_complete: bool,
     /// Why there may be more, or what came of it.
     pub notes: Vec<String>,
+    /// Of a search from starts, what it came to.
+    pub searched: Option<Searched>,
+}
+
+/// What searches came to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Searched {
+    /// Choices of crank and output.
+    pub choices: usize,
+    /// Starts.
+    pub starts: u64,
+    /// Starts that came to a minimum.
+    pub minima: usize,
+    /// Those of them that pass all positions exactly.
+    pub exact: usize,
+    /// What the best one leaves (root mean square), by the extent.
+    pub best: f64,
+}
+
+impl Searched {
+    /// Both together.
+    pub fn with(self, other: Searched) -> Searched {
+        Searched {
+            choices: self.choices + other.choices,
+            starts: self.starts + other.starts,
+            minima: self.minima + other.minima,
+            exact: self.exact + other.exact,
+            best: self.best.min(other.best),
+        }
+    }
 }
 
 /// What least squares came to.
@@ -80,33 +110,47 @@ impl LinkageTask {
         }
     }
 
-    /// Linkages of a kind from many starts; `None`: stopped.
-    pub fn sought(&self, kind: LinkageKind, control: &Control) -> Option<Vec<Gathered>> {
-        self.all_fitted(&self.templates(kind), control)
+    /// Linkages of a kind from many starts, each choice of crank and output in turn; `None`: stopped.
+    pub fn sought(
+        &self,
+        kind: LinkageKind,
+        control: &Control,
+        take: &mut dyn FnMut(Gathered),
+    ) -> Option<()> {
+        self.all_fitted(&self.templates(kind), control, take)
     }
 
     /// The same with all chains of so many bodies.
-    pub fn sought_in_chains(&self, bodies: usize, control: &Control) -> Option<Vec<Gathered>> {
-        self.all_fitted(&self.all_templates(bodies, None), control)
+    pub fn sought_in_chains(
+        &self,
+        bodies: usize,
+        control: &Control,
+        take: &mut dyn FnMut(Gathered),
+    ) -> Option<()> {
+        self.all_fitted(&self.all_templates(bodies, None), control, take)
     }
 
-    fn all_fitted(&self, templates: &[Template], control: &Control) -> Option<Vec<Gathered>> {
+    fn all_fitted(
+        &self,
+        templates: &[Template],
+        control: &Control,
+        take: &mut dyn FnMut(Gathered),
+    ) -> Option<()> {
         let stop = || control.stop().is_some();
-        let mut kinds: Vec<&str> = templates.iter().map(|own| &own.kind[..]).collect();
-        kinds.dedup();
-        let of = |kind: &str| {
-            let own: Vec<&Template> = templates.iter().filter(|own| own.kind == kind).collect();
-            let all: Option<Vec<Fitted>> = own.iter().map(|own| self.fitted(own, &stop)).collect();
-            Some(self.gathered(kind, all?))
-        };
-        kinds.into_iter().map(of).collect()
+        for template in templates {
+            let fitted = self.fitted(template, &stop);
+            let is_stopped = stop();
+            take(self.gathered(&template.kind, fitted));
+            if is_stopped {
+                return None;
+            }
+        }
+        Some(())
     }
 
-    /// What came of all choices of crank and output of a kind.
-    fn gathered(&self, kind: &str, all: Vec<Fitted>) -> Gathered {
-        let choices = all.len();
-        let used: u64 = all.iter().map(|own| own.used).sum();
-        let mut found: Vec<(f64, Candidate)> = all.into_iter().flat_map(|own| own.found).collect();
+    /// What came of a choice of crank and output.
+    fn gathered(&self, kind: &str, fitted: Fitted) -> Gathered {
+        let mut found = fitted.found;
         let count = found.len();
         let best = found
             .iter()
@@ -115,37 +159,25 @@ impl LinkageTask {
         found.retain(|(rms, _)| *rms <= (WORSE * best).max(EXACT));
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let exact = found.iter().filter(|(rms, _)| *rms < EXACT).count();
-        let note = match (count, exact) {
-            (0, _) => "none came to a motion through all positions".to_owned(),
-            (_, 0) => {
-                let left = match self.goal {
-                    Goal::Function => self.display.angle_to(best, 3),
-                    // Two components to a distance.
-                    Goal::Path | Goal::Motion => self
-                        .display
-                        .length_to(std::f64::consts::SQRT_2 * best * self.size, 3),
-                };
-                format!("{count} came to a minimum; the best is {left} off, root mean square")
-            }
-            _ => format!("{exact} came to linkages that pass all positions exactly"),
-        };
         let mut candidates: Vec<Candidate> = found.into_iter().map(|(_, own)| own).collect();
         if self.goal == Goal::Path && !self.is_timed() && kind == "four_bar" && exact > 0 {
             candidates = with_cognates(candidates, &self.points().unwrap_or_default());
         }
         Gathered {
             kind: kind.to_owned(),
-            method: match choices {
-                1 => format!("least squares from {used} starts"),
-                _ => format!(
-                    "least squares from {used} starts, of {choices} choices of crank and output"
-                ),
-            },
+            method: "least squares".into(),
             // Of least squares single positions are further off than the root mean square.
             off: OTHER + 10.0 * best.min(1.0),
             candidates,
             is_complete: false,
-            notes: vec![note],
+            notes: Vec::new(),
+            searched: Some(Searched {
+                choices: 1,
+                starts: fitted.used,
+                minima: count,
+                exact,
+                best,
+            }),
         }
     }
 
@@ -201,6 +233,7 @@ impl LinkageTask {
                     ));
                 }
                 Some(Gathered {
+                    searched: None,
                     kind: "four_bar".into(),
                     method: "all four-bars through nine points".into(),
                     candidates: passing.flat_map(|own| own.candidates()).collect(),
@@ -224,6 +257,7 @@ impl LinkageTask {
             turns: positions.iter().map(|own| own.turn).collect(),
         });
         Gathered {
+            searched: None,
             kind: "four_bar".into(),
             method: match is_complete {
                 true => "all four-bars through five positions",
@@ -316,6 +350,7 @@ impl LinkageTask {
             }
         }
         Some(Gathered {
+            searched: None,
             kind: "four_bar".into(),
             method: "all four-bars through five points with the crank's angles".into(),
             candidates,
@@ -348,6 +383,7 @@ impl LinkageTask {
                 _ => return None,
             };
         Some(Gathered {
+            searched: None,
             kind: "four_bar".into(),
             method: method.into(),
             candidates: pins
@@ -369,6 +405,7 @@ impl LinkageTask {
         let guide = guide(&positions, point)?;
         let (dyads, ..) = self.dyads(&positions, point);
         Some(Gathered {
+            searched: None,
             kind: "slider_crank".into(),
             method: "the only slider of four positions, with links on Burmester's curve".into(),
             candidates: dyads
@@ -593,7 +630,7 @@ impl LinkageTask {
     }
 
     /// From many starts.
-    fn fitted(&self, template: &Template, stop: &(dyn Fn() -> bool + Sync)) -> Option<Fitted> {
+    fn fitted(&self, template: &Template, stop: &(dyn Fn() -> bool + Sync)) -> Fitted {
         let starts = self.asked.starts.unwrap_or(super::STARTS);
         let seed = self.asked.seed.unwrap_or(1);
         let enough = 4 * self.asked.most.unwrap_or(super::MOST) as usize;
@@ -623,7 +660,7 @@ impl LinkageTask {
                 break;
             }
         }
-        (!stop()).then_some(own)
+        own
     }
 
     fn searched(

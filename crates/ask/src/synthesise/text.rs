@@ -1,6 +1,7 @@
 //! The linkages in words.
 
-use super::problem::Goal;
+use super::problem::{Goal, LinkageTask};
+use super::search::Searched;
 use super::{Synthesised, Tried};
 use crate::text::{Page, Side, Table, count, number};
 
@@ -22,7 +23,10 @@ impl Synthesised {
         };
         page.line(format!("{}: {found} for {what}", self.file.name()));
         for own in &self.tried {
-            page.rows(&own.kind.replace('_', "-"), own.lines());
+            page.rows(&own.kind.replace('_', "-"), own.lines(&self.problem));
+        }
+        if self.is_stopped {
+            page.row("interrupted", "what was found until then");
         }
         page.rows("linkages", self.table());
         page
@@ -80,8 +84,11 @@ impl Synthesised {
 
 impl Tried {
     /// How candidates of a kind fared.
-    pub(super) fn lines(&self) -> Vec<String> {
-        let mut lines = vec![self.method.clone()];
+    pub(super) fn lines(&self, task: &LinkageTask) -> Vec<String> {
+        let mut lines = match &self.searched {
+            Some(own) => searched(own, &self.method, task),
+            None => vec![self.method.clone()],
+        };
         lines.extend(self.notes.clone());
         let without = [
             (self.outside, "outside the limits"),
@@ -113,4 +120,29 @@ impl Tried {
         );
         lines
     }
+}
+
+/// What searches came to.
+fn searched(own: &Searched, method: &str, task: &LinkageTask) -> Vec<String> {
+    let starts = format!("{method} from {}", count(own.starts as usize, "start"));
+    let starts = match own.choices {
+        1 => starts,
+        choices => format!("{starts}, of {choices} choices of crank and output"),
+    };
+    let came = match (own.minima, own.exact) {
+        (0, _) => "none came to a motion through all positions".to_owned(),
+        (minima, 0) => {
+            let left = match task.goal {
+                Goal::Function => task.display.angle_to(own.best, 3),
+                // Two components to a distance.
+                Goal::Path | Goal::Motion => {
+                    let distance = std::f64::consts::SQRT_2 * own.best * task.size;
+                    task.display.length_to(distance, 3)
+                }
+            };
+            format!("{minima} came to a minimum; the best is {left} off, root mean square")
+        }
+        (_, exact) => format!("{exact} came to linkages that pass all positions exactly"),
+    };
+    vec![starts, came]
 }

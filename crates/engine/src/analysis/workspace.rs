@@ -60,7 +60,7 @@ pub struct Workspace {
 }
 
 /// An edge of the grid: its first node, and whether it leads along the second driver.
-type Edge = ([usize; 2], bool);
+type GridEdge = ([usize; 2], bool);
 
 struct Grid<'a> {
     drawn: &'a DrawnSystem,
@@ -93,7 +93,7 @@ impl Grid<'_> {
     }
 
     /// Where assemblies meet on an edge.
-    fn meeting(&mut self, (node, is_second): Edge, counts: [usize; 2]) -> SingularPlace {
+    fn meeting(&mut self, (node, is_second): GridEdge, counts: [usize; 2]) -> SingularPlace {
         let other = [
             node[0] + usize::from(!is_second),
             node[1] + usize::from(is_second),
@@ -204,14 +204,14 @@ pub fn workspace(
 /// Places where assemblies meet, joined within the cells, and these to curves.
 fn curves(grid: &mut Grid<'_>, counts: &[Vec<usize>]) -> Option<Vec<Vec<SingularPlace>>> {
     let size = counts.len();
-    let mut met: HashMap<Edge, SingularPlace> = HashMap::new();
-    let mut joined: HashMap<Edge, Vec<Edge>> = HashMap::new();
+    let mut met: HashMap<GridEdge, SingularPlace> = HashMap::new();
+    let mut joined: HashMap<GridEdge, Vec<GridEdge>> = HashMap::new();
     for (i, j) in (0..size - 1).flat_map(|i| (0..size - 1).map(move |j| (i, j))) {
         if grid.control.stop().is_some() {
             return None;
         }
         // Around the cell.
-        let edges: [Edge; 4] = [
+        let edges: [GridEdge; 4] = [
             ([i, j], false),
             ([i + 1, j], true),
             ([i, j + 1], false),
@@ -233,7 +233,7 @@ fn curves(grid: &mut Grid<'_>, counts: &[Vec<usize>]) -> Option<Vec<Vec<Singular
             joined.entry(pair[1]).or_default().push(pair[0]);
         }
     }
-    let mut starts: Vec<Edge> = joined.keys().copied().collect();
+    let mut starts: Vec<GridEdge> = joined.keys().copied().collect();
     // Ends of open curves first.
     starts.sort_by_key(|edge| (joined[edge].len(), *edge));
     let mut all = Vec::new();
