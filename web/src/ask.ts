@@ -11,7 +11,12 @@ export type Asking = {
   sample(name: string, values: number[], column: string, across: string): Promise<Curve[]>;
   set(values: Record<string, number>): Promise<void>;
   words(name: string): Promise<string>;
+  /** All ways in which the mechanism closes. */
+  assemblies(): Promise<Assemblies>;
+  /** Draws the bodies at poses. */
+  assemble(poses: (readonly [string, number[]])[]): void;
 };
+export type Assemblies = { words: string; bodies: string[]; found: { svg: string; poses: number[][]; drawn: boolean }[]; faults?: { text: string }[] };
 
 const SIGN = "http://www.w3.org/2000/svg", CURVES = 7, SCAN = 9, MOST = 60;
 const MEASURES: Record<string, (values: Float64Array) => number> = {
@@ -30,6 +35,7 @@ export class Ask {
   #column = element("select", { id: "ask-column" });
   #parameter = element("select", { id: "ask-parameter" });
   #measure = element("select", { id: "ask-measure" }, ...Object.keys(MEASURES).map((text) => element("option", { text })));
+  #again = false;
   #goal = element("input", { type: "text", id: "ask-goal", autocomplete: "off" });
 
   constructor(asking: Asking) {
@@ -42,14 +48,36 @@ export class Ask {
     } } });
     for (const select of [this.#column, this.#parameter]) select.addEventListener("change", () => { select.dataset.chosen = "true"; });
     this.#root.replaceChildren(
-      element("div", { className: "row" }, ...QUESTIONS.map(([name, text]) => button(text, async () => { this.#chart.replaceChildren(); this.#answer.textContent = await asking.words(name); }))),
+      element("div", { className: "row" }, ...QUESTIONS.map(([name, text]) => button(text, async () => { this.#chart.replaceChildren(); this.#answer.textContent = await asking.words(name); })),
+        button(words.ask.assemblies, () => this.#assemblies())),
       row(words.ask.column, this.#column), row(words.ask.parameter, this.#parameter), row(words.ask.measure, this.#measure), row(words.ask.goal, this.#goal),
       element("div", { className: "row" }, button(words.ask.seek, () => this.#seek()), button(words.ask.sweep, () => this.#sweep())),
       this.#chart, this.#answer);
   }
 
+  // Each of them drawn; the one that is chosen is put into the text, and all are asked for again.
+  async #assemblies(): Promise<void> {
+    this.#chart.replaceChildren();
+    const { words: told, bodies, found, faults } = await this.#asking.assemblies();
+    if (faults) throw new Error(faults[0]!.text);
+    this.#answer.textContent = told;
+    this.#chart.replaceChildren(element("div", { className: "assemblies" }, ...found.map(({ svg, poses, drawn }, k) => {
+      const made = element("button", { type: "button", "aria-label": words.ask.assembly(k + 1, drawn), "aria-pressed": drawn ? "true" : "false", on: { click: () => {
+        this.#again = true;
+        this.#asking.assemble(bodies.map((name, body) => [name, poses[body]!] as const));
+      } } });
+      made.append(document.importNode(new DOMParser().parseFromString(svg, "image/svg+xml").documentElement, true));
+      return made;
+    })));
+  }
+
   /** What there is to ask about. */
   show(): void {
+    // Those of another text are others.
+    const asked = this.#chart.querySelector(".assemblies");
+    if (asked && this.#again) this.#assemblies().catch((why) => { this.#answer.textContent = (why as Error).message; });
+    else if (asked) { this.#chart.replaceChildren(); this.#answer.textContent = ""; }
+    this.#again = false;
     const fill = (select: HTMLSelectElement, names: string[]) => {
       if (names.join("\n") === [...select.options].map(({ value }) => value).join("\n")) return;
       const before = select.value;

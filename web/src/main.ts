@@ -192,6 +192,12 @@ const start = async (): Promise<void> => {
     report: () => frame.report, knobs: () => last?.parameters ?? [],
     sample: (name, values, column, across) => engine.ask<Curve[]>("sample", [doc.text, name, values, column, across, LIVE_SECONDS], 60),
     set: async (values) => { shop.tune(values); await shop.tuned(); },
+    assemblies: () => engine.ask("assemblies", [doc.text], 8),
+    assemble: (poses) => {
+      if (!last?.ok || !frame.report) { say(words.ask.unaided, { bad: true }); return; }
+      const own = app.sketch(), known = canvas.mechanism.bodies.map(({ name }) => name);
+      app.write(own.posed(poses.filter(([name]) => known.includes(name))));
+    },
     words: (name) => served ? served.words(name, doc.text) : engine.ask("words", [doc.text, name], 60),
   });
   canvas.onSelect = (thing) => { selected.show(thing); if (thing) tabs.choose("selected"); };

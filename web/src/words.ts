@@ -65,6 +65,7 @@ export const words = {
   close: "Close",
   theme: "Light or dark",
   ask: {
+    assemblies: "All assemblies", assembly: (number: number, drawn: boolean) => `Assembly ${number}${drawn ? ", drawn now" : ""}`, unaided: "The mechanism has to be sound first.",
     questions: { check: "Mobility and loops", statics: "Statics", modes: "Modes", accuracy: "Accuracy", study: "Study" },
     column: "column", parameter: "parameter", measure: "of it", goal: "is to be", seek: "Find the value", sweep: "Sweep the parameter",
     nothing: "A model with a motion and a parameter is needed.",

@@ -67,6 +67,7 @@ const answers: Record<string, (...args: any[]) => unknown> = {
     return { value, across: of(across), values: of(column), failure };
   }),
   words: (text: string, name: string) => based(text).words(name),
+  assemblies: (text: string) => JSON.parse(based(text).assemblies()),
   zones: (text: string) => JSON.parse(based(text).zones()),
   summary: () => desk.summary(),
   csv: () => desk.csv(),

@@ -69,3 +69,35 @@ test("every lesson of the gallery runs, and its link holds it", async () => {
   }
   assert.deepEqual(it.faults, []);
 });
+
+test("all assemblies are drawn, and one that is chosen is put into the text", async () => {
+  const it = await open(), text = model("four-bar");
+  await it.load(text);
+  await it.page.getByRole("tab", { name: "Ask" }).click();
+  await it.page.getByRole("button", { name: "All assemblies" }).click();
+  const row = it.page.locator("#ask .assemblies button");
+  await it.page.waitForFunction(() => document.querySelectorAll("#ask .assemblies svg").length === 2);
+  assert.match(await it.page.locator("#ask pre").textContent(), /2 assemblies/);
+  assert.deepEqual(await row.evaluateAll((all) => all.map((own) => own.getAttribute("aria-pressed"))), ["true", "false"]);
+  const rocker = () => it.editor(() => window.editor.frame.report.column("rocker.angle").values[0]);
+  const before = await rocker();
+  // With the keyboard.
+  await row.nth(1).focus();
+  await it.key("Enter");
+  await it.idle();
+  await it.page.waitForFunction(() => document.querySelectorAll("#ask .assemblies svg").length === 2);
+  const after = await rocker(), made = JSON.parse(await it.text());
+  assert.ok(Math.abs(Math.sin((after - before) / 2)) > 0.2, `${before} ${after}`);
+  // Lengths, masses and all else stay as they were written.
+  const old = JSON.parse(text);
+  assert.deepEqual(Object.keys(made.bodies), Object.keys(old.bodies));
+  for (const [name, { pose, ...rest }] of Object.entries(made.bodies)) { const { pose: own, ...others } = old.bodies[name]; assert.deepEqual(rest, others); void pose; void own; }
+  // The first one is always what is drawn.
+  assert.deepEqual(await row.evaluateAll((all) => all.map((own) => own.getAttribute("aria-pressed"))), ["true", "false"]);
+  await it.editor(() => window.editor.doc.undo());
+  await it.idle();
+  assert.equal(await it.text(), text);
+  assert.ok(Math.abs(await rocker() - before) < 1e-12);
+  assert.equal(await row.count(), 0);
+  assert.deepEqual(it.faults, []);
+});

@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
+use linkdyn_ask::Question;
 use linkdyn_ask::accuracy::zones;
+use linkdyn_ask::assemblies::Assemblies;
 use linkdyn_ask::editor::{drawn, thinned, words};
 use linkdyn_ask::run::{typed, with_values};
 use linkdyn_ask::{ModelFile, Unanswered};
@@ -20,6 +22,10 @@ use crate::what::listen;
 
 /// Longest time for what nobody asked for \[s\].
 const ZONE_SECONDS: f64 = 2.0;
+/// The same for all assemblies, and how many are looked for, and drawn.
+const ASSEMBLY_SECONDS: f64 = 5.0;
+const MOST_ASSEMBLIES: usize = 200;
+const MOST_DRAWINGS: usize = 24;
 /// What is said where nothing was read yet.
 const NOTHING: &str = "there is no model";
 
@@ -100,6 +106,28 @@ impl Desk {
             Ok(page) => page.map_or_else(String::new, |page| page.text().to_owned()),
             Err(why) => why.to_string(),
         }
+    }
+
+    /// All assemblies at the start: JSON with `words`, the names of the moving `bodies`, and `found`, a list of `svg`, `poses` \[m, rad\] and
+    /// `drawn`; or `faults`.
+    pub fn assemblies(&self) -> String {
+        self.told(|file| {
+            let question = Assemblies {
+                at: 0.0,
+                most: MOST_ASSEMBLIES,
+            };
+            let found = question.answer(file, &limited(ASSEMBLY_SECONDS))?;
+            let drawings = found.drawings(MOST_DRAWINGS);
+            let drawings = drawings.map_err(|why| Unanswered::Failed(why.to_string()))?;
+            let all = found.found.found.iter().zip(drawings);
+            let all = all
+                .map(|(one, svg)| json!({ "svg": svg, "poses": one.poses, "drawn": one.is_drawn }));
+            Ok(json!({
+                "words": found.text().text().lines().next(),
+                "bodies": found.found.bodies,
+                "found": all.collect::<Vec<_>>(),
+            }))
+        })
     }
 
     /// Where tolerances and clearances can carry the listed points, to first order: JSON, a list of zones.
