@@ -103,11 +103,10 @@ impl Tried {
             .filter(|(count, _)| *count > 0)
             .map(|(count, words)| format!("{count} {words}"))
             .collect();
-        let of = format!(
-            "{} of {} are good",
-            self.good,
-            count(self.candidates, "candidate")
-        );
+        let of = match self.candidates {
+            0 => "no candidate".to_owned(),
+            several => format!("{} of {} are good", self.good, count(several, "candidate")),
+        };
         lines.push(match without.is_empty() {
             true => of,
             false => format!("{of}; {}", without.join(", ")),
