@@ -41,7 +41,7 @@ const PARTS: &[Part] = &[
         "rs",
         4_445,
     ),
-    part("ask", &["crates/ask/src"], "rs", 14_300),
+    part("ask", &["crates/ask/src"], "rs", 14_360),
     part("synthesis", &["crates/synthesis/src"], "rs", 2_000),
     part("exchange", &["crates/exchange/src"], "rs", 11_420),
     part("fmi", &["crates/fmi/src"], "rs", 1_845),

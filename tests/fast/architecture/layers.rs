@@ -202,6 +202,7 @@ const KNOW_THE_MODEL: &[&str] = &[
     "analysis/run.rs",
     // What the words say, and what they leave out.
     "analysis/assemblies.rs",
+    "analysis/workspace.rs",
     "analysis/check/",
     "analysis/suspicious/",
 ];

@@ -17,7 +17,7 @@ use linkdyn_engine::analysis::Control;
 use linkdyn_model::FileAccess;
 use problem::LinkageTask;
 use rayon::prelude::*;
-use search::{Gathered, Searched};
+use search::{Gathered, SearchCounts};
 use serde_json::Value;
 
 pub use listed::{ListedChains, MOST_BODIES, all_chains};
@@ -44,7 +44,7 @@ pub struct Tried {
     /// What is to be known.
     pub notes: Vec<String>,
     /// Of searches from starts, what they came to.
-    searched: Option<Searched>,
+    searched: Option<SearchCounts>,
     /// Candidates, each driven at one of its pivots.
     pub candidates: usize,
     /// Those of them without a defect.

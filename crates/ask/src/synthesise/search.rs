@@ -48,12 +48,12 @@ pub struct Gathered {
     /// Why there may be more, or what came of it.
     pub notes: Vec<String>,
     /// Of a search from starts, what it came to.
-    pub searched: Option<Searched>,
+    pub searched: Option<SearchCounts>,
 }
 
 /// What searches came to.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Searched {
+pub struct SearchCounts {
     /// Choices of crank and output.
     pub choices: usize,
     /// Starts.
@@ -66,10 +66,10 @@ pub struct Searched {
     pub best: f64,
 }
 
-impl Searched {
+impl SearchCounts {
     /// Both together.
-    pub fn with(self, other: Searched) -> Searched {
-        Searched {
+    pub fn with(self, other: SearchCounts) -> SearchCounts {
+        SearchCounts {
             choices: self.choices + other.choices,
             starts: self.starts + other.starts,
             minima: self.minima + other.minima,
@@ -171,7 +171,7 @@ impl LinkageTask {
             candidates,
             is_complete: false,
             notes: Vec::new(),
-            searched: Some(Searched {
+            searched: Some(SearchCounts {
                 choices: 1,
                 starts: fitted.used,
                 minima: count,

@@ -1,7 +1,7 @@
 //! The linkages in words.
 
 use super::problem::{Goal, LinkageTask};
-use super::search::Searched;
+use super::search::SearchCounts;
 use super::{Synthesised, Tried};
 use crate::text::{Page, Side, Table, count, number};
 
@@ -122,7 +122,7 @@ impl Tried {
 }
 
 /// What searches came to.
-fn searched(own: &Searched, method: &str, task: &LinkageTask) -> Vec<String> {
+fn searched(own: &SearchCounts, method: &str, task: &LinkageTask) -> Vec<String> {
     let starts = format!("{method} from {}", count(own.starts as usize, "start"));
     let starts = match own.choices {
         1 => starts,

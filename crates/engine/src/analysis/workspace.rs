@@ -92,8 +92,12 @@ impl Grid<'_> {
         [self.values[0][i], self.values[1][j]]
     }
 
-    /// Where assemblies meet on an edge.
-    fn meeting(&mut self, (node, is_second): GridEdge, counts: [usize; 2]) -> SingularPlace {
+    /// Where assemblies meet on an edge; `None` where there are none on either side of it.
+    fn meeting(
+        &mut self,
+        (node, is_second): GridEdge,
+        counts: [usize; 2],
+    ) -> Option<SingularPlace> {
         let other = [
             node[0] + usize::from(!is_second),
             node[1] + usize::from(is_second),
@@ -117,8 +121,12 @@ impl Grid<'_> {
             a.q.iter().zip(&b.q).map(|(a, b)| (a - b).powi(2)).sum()
         };
         let nearest = pairs.min_by(|a, b| apart(a).total_cmp(&apart(b)));
-        let place = nearest.map_or([f64::NAN; 2], |(a, _)| self.place(a));
-        SingularPlace { values, place }
+        // Where both are one to round-off, they are found as one.
+        let own = nearest.map(|(a, _)| a).or(found.first())?;
+        Some(SingularPlace {
+            values,
+            place: self.place(own),
+        })
     }
 }
 
@@ -224,7 +232,12 @@ fn curves(grid: &mut Grid<'_>, counts: &[Vec<usize>]) -> Option<Vec<Vec<Singular
                 counts[j + usize::from(is_second)][i + usize::from(!is_second)],
             ];
             if ends[0] != ends[1] {
-                met.entry(edge).or_insert_with(|| grid.meeting(edge, ends));
+                if !met.contains_key(&edge) {
+                    let Some(place) = grid.meeting(edge, ends) else {
+                        continue;
+                    };
+                    met.insert(edge, place);
+                }
                 own.push(edge);
             }
         }

@@ -152,11 +152,12 @@ fn inspect(model: &Model, holes: Holes) -> Said {
         rules.holes.add(&complaint.path);
         rules.complaints.push(complaint);
     }
-    names::references(&mut rules, &named);
     if model.bodies.is_empty() && model.synthesise.is_none() && !rules.holes.has("bodies") {
         let complaint = Complaint::new("bodies", "it is empty, at least one is needed");
         rules.complaints.push(complaint);
+        rules.holes.add("bodies");
     }
+    names::references(&mut rules, &named);
     rules.bodies();
     sections::sections(&mut rules);
     sections::beams(&mut rules);
