@@ -1,6 +1,6 @@
 // Questions about a parameter: which value reaches a goal, and what a sweep of it does to a curve.
 import { element, id } from "./element";
-import type { Knob, Report } from "./linkdyn";
+import type { Knob, Place, Report } from "./linkdyn";
 import { words } from "./words";
 
 export type Curve = { value: number; across: Float64Array; values: Float64Array; failure: string };
@@ -16,7 +16,7 @@ export type Asking = {
   /** Draws the bodies at poses. */
   assemble(poses: (readonly [string, number[]])[]): void;
 };
-export type Assemblies = { words: string; bodies: string[]; found: { svg: string; poses: number[][]; drawn: boolean }[]; faults?: { text: string }[] };
+export type Assemblies = { words: string; bodies: string[]; found: { poses: number[][]; drawn: boolean }[]; faults?: { text: string }[] };
 
 const SIGN = "http://www.w3.org/2000/svg", CURVES = 7, SCAN = 9, MOST = 60;
 const MEASURES: Record<string, (values: Float64Array) => number> = {
@@ -61,12 +61,12 @@ export class Ask {
     const { words: told, bodies, found, faults } = await this.#asking.assemblies();
     if (faults) throw new Error(faults[0]!.text);
     this.#answer.textContent = told;
-    this.#chart.replaceChildren(element("div", { className: "assemblies" }, ...found.map(({ svg, poses, drawn }, k) => {
+    this.#chart.replaceChildren(element("div", { className: "assemblies" }, ...found.map(({ poses, drawn }, k) => {
       const made = element("button", { type: "button", "aria-label": words.ask.assembly(k + 1, drawn), "aria-pressed": drawn ? "true" : "false", on: { click: () => {
         this.#again = true;
         this.#asking.assemble(bodies.map((name, body) => [name, poses[body]!] as const));
       } } });
-      made.append(document.importNode(new DOMParser().parseFromString(svg, "image/svg+xml").documentElement, true));
+      made.append(small(this.#asking.report()!, bodies, poses));
       return made;
     })));
   }
@@ -143,6 +143,18 @@ const svg = (tag: string, options: Record<string, string | number>, ...children:
   for (const [key, value] of Object.entries(options)) made.setAttribute(key, String(value));
   made.append(...children);
   return made as SVGElement;
+};
+// A mechanism at poses: each body as the outline of its points.
+const small = ({ mechanism }: Report, names: string[], poses: number[][]): SVGElement => {
+  const places = mechanism.bodies.map(({ name, points }) => {
+    const [x, y, angle] = poses[names.indexOf(name)] ?? [0, 0, 0], [c, s] = [Math.cos(angle!), Math.sin(angle!)];
+    return points.map(([, u, v]) => [x! + c * u - s * v, -(y! + s * u + c * v)] as Place);
+  });
+  const all = places.flat(), ends = [0, 1].map((axis) => [Math.min, Math.max].map((of) => of(...all.map((place) => place[axis]!)))) as [Place, Place];
+  const [[left, right], [top, bottom]] = ends, size = Math.max(right - left, bottom - top) || 1, room = 0.08 * size, dot = 0.02 * size;
+  return svg("svg", { viewBox: [left - room, top - room, right - left + 2 * room, bottom - top + 2 * room].join(" "), "aria-hidden": "true" },
+    ...places.slice(1).map((own) => svg("polygon", { points: own.map((place) => place.join(",")).join(" "), fill: "var(--accent)", "fill-opacity": 0.15, stroke: "var(--accent)", "stroke-width": dot, "stroke-linejoin": "round" })),
+    ...places.flatMap((own, body) => own.map(([x, y]) => svg("circle", { cx: x, cy: y, r: body ? dot : 1.6 * dot, fill: body ? "var(--ink)" : "var(--muted)" }))));
 };
 const ticks = (low: number, high: number): number[] => {
   const rough = (high - low) / 4 || 1, power = 10 ** Math.floor(Math.log10(rough)), step = [1, 2, 5, 10].map((n) => n * power).find((n) => n >= rough)!;

@@ -108,8 +108,8 @@ impl Desk {
         }
     }
 
-    /// All assemblies at the start: JSON with `words`, the names of the moving `bodies`, and `found`, a list of `svg`, `poses` \[m, rad\] and
-    /// `drawn`; or `faults`.
+    /// All assemblies at the start: JSON with `words`, the names of the moving `bodies`, and `found`, a list of `poses` \[m, rad\] and `drawn`;
+    /// or `faults`.
     pub fn assemblies(&self) -> String {
         self.told(|file| {
             let question = Assemblies {
@@ -117,11 +117,8 @@ impl Desk {
                 most: MOST_ASSEMBLIES,
             };
             let found = question.answer(file, &limited(ASSEMBLY_SECONDS))?;
-            let drawings = found.drawings(MOST_DRAWINGS);
-            let drawings = drawings.map_err(|why| Unanswered::Failed(why.to_string()))?;
-            let all = found.found.found.iter().zip(drawings);
-            let all = all
-                .map(|(one, svg)| json!({ "svg": svg, "poses": one.poses, "drawn": one.is_drawn }));
+            let all = found.found.found.iter().take(MOST_DRAWINGS);
+            let all = all.map(|one| json!({ "poses": one.poses, "drawn": one.is_drawn }));
             Ok(json!({
                 "words": found.text().text().lines().next(),
                 "bodies": found.found.bodies,

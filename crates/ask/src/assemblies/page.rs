@@ -8,7 +8,7 @@ use linkdyn_engine::analysis::FoundCircuit;
 use linkdyn_engine::element::Measure;
 use linkdyn_picture::charts_page::scenes_page;
 use linkdyn_picture::poses::{Pose, Poses};
-use linkdyn_picture::{Axis, Chart, Curve, Fault, Mechanism, Panel, Scene, svg};
+use linkdyn_picture::{Axis, Chart, Curve, Fault, Mechanism, Panel, Scene};
 use std::f64::consts::TAU;
 
 /// Width of a drawing \[pt\], and width and height of a figure \[mm\].
@@ -19,16 +19,6 @@ const MOST_DRAWN: usize = 64;
 const MOST_BODIES: usize = 12;
 
 impl AssembliesFound {
-    /// Drawings of the first assemblies, as SVG.
-    ///
-    /// # Errors
-    /// When an assembly can't be drawn.
-    pub fn drawings(&self, most: usize) -> Result<Vec<String>, Fault> {
-        let poses = self.found.found.iter().take(most).map(|one| &one.poses[..]);
-        let scenes = drawn(&self.file, &self.found.bodies, poses)?;
-        Ok(scenes.iter().map(svg::write).collect())
-    }
-
     /// The page; `None` if there is no assembly.
     ///
     /// # Errors
