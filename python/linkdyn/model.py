@@ -357,7 +357,9 @@ class Model:
         return Model(taken, self._label, taken.to_json().encode())
 
     def synthesise(self) -> Answer:
-        """Linkages for the task of the file, its ``synthesise``, as in ``synthesis.json``; ``load`` reads each one's ``model``.
+        """Linkages for the task of the file, its ``synthesise``, as in ``synthesis.json``.
+
+        Each has a ``model``, which :func:`load` reads.
 
         >>> import linkdyn
         >>> function = [[1.0, 0.9], [1.5, 1.1], [2.0, 1.4]]

@@ -13,6 +13,7 @@ use crate::system::Inputs;
 use linkdyn_model::error::{Complaint, Complaints};
 use linkdyn_model::{Checked, PointRef};
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::f64::consts::TAU;
 
 /// Steps that halve an edge.
@@ -232,11 +233,11 @@ fn curves(grid: &mut Grid<'_>, counts: &[Vec<usize>]) -> Option<Vec<Vec<Singular
                 counts[j + usize::from(is_second)][i + usize::from(!is_second)],
             ];
             if ends[0] != ends[1] {
-                if !met.contains_key(&edge) {
-                    let Some(place) = grid.meeting(edge, ends) else {
-                        continue;
+                if let Entry::Vacant(free) = met.entry(edge) {
+                    match grid.meeting(edge, ends) {
+                        Some(place) => free.insert(place),
+                        None => continue,
                     };
-                    met.insert(edge, place);
                 }
                 own.push(edge);
             }
