@@ -260,8 +260,8 @@ impl Mechanism {
     /// ```
     /// use linkdyn::prelude::*;
     ///
-    /// let task: Mechanism = r#"{ "format": "linkdyn/1", "units": "SI", "synthesise": {
-    ///     "function": [[1.0, 0.9], [1.5, 1.1], [2.0, 1.4]], "directions": true } }"#.parse()?;
+    /// let task: Mechanism = r#"{ "format": "linkdyn/1", "units": { "angle": "deg" }, "synthesise": {
+    ///     "function": [[0, 0], [20, 9], [40, 21], [60, 36], [80, 55]] } }"#.parse()?;
     /// let found = task.synthesise()?;
     /// println!("{}", found.text());
     /// # Ok::<(), linkdyn::Error>(())

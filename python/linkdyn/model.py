@@ -362,8 +362,8 @@ class Model:
         Each has a ``model``, which :func:`load` reads.
 
         >>> import linkdyn
-        >>> function = [[1.0, 0.9], [1.5, 1.1], [2.0, 1.4]]
-        >>> task = {"format": "linkdyn/1", "units": "SI", "synthesise": {"function": function, "directions": True}}
+        >>> function = [[0, 0], [20, 9], [40, 21], [60, 36], [80, 55]]
+        >>> task = {"format": "linkdyn/1", "units": {"angle": "deg"}, "synthesise": {"function": function}}
         >>> found = linkdyn.load(task).synthesise()
         >>> linkdyn.load(found["linkages"][0]["model"]).name
         'four-bar for a function'
