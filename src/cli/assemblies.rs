@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args};
 
+use super::answer_files;
 use super::exit::{Exit, Failure};
 use super::interrupt;
 use super::measures::range;
@@ -73,7 +74,7 @@ pub struct Options {
 const HELP: &str = "  linkdyn assemblies jansen-leg -o out
   linkdyn assemblies mine.json --take 2 > other.json
   linkdyn assemblies watt-i-lock --circuits -o out
-  linkdyn assemblies double-wishbone --workspace upright.wheel -o out
+  linkdyn assemblies excavator --workspace bucket.tooth --drivers lift,crowd -o out
 
 How they are found, and what the files hold: linkdyn docs assemblies.";
 
@@ -82,6 +83,9 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
     let model = &options.model;
     let file = model.open()?;
     let directory = options.output.as_deref().map(Directory::open).transpose()?;
+    if let Some(point) = &options.workspace {
+        return mapped(options, &file, point, directory.as_ref());
+    }
     let control = interrupt::control();
     let line = Line::watch(file.name(), &control);
     if options.circuits {
@@ -95,7 +99,7 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         drop(line);
         let found = found.map_err(|why| model.refuse(why))?;
         let page = found.html();
-        let written = write(
+        let written = answer_files::write(
             directory.as_ref(),
             CIRCUITS,
             &json(&found)?,
@@ -106,9 +110,6 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
             false => tell(found.text(), &written)?,
         }
         return Ok(Exit::Done);
-    }
-    if let Some(point) = &options.workspace {
-        return mapped(options, &file, point, directory.as_ref());
     }
     let question = Assemblies {
         at: options.at,
@@ -123,7 +124,7 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         return Ok(Exit::Done);
     }
     let page = found.html();
-    let written = write(
+    let written = answer_files::write(
         directory.as_ref(),
         ASSEMBLIES,
         &json(&found)?,
@@ -170,28 +171,10 @@ fn mapped(
     drop(line);
     let found = found.map_err(|why| options.model.refuse(why))?;
     let page = found.html().map(Some);
-    let written = write(directory, WORKSPACE, &json(&found)?, page)?;
+    let written = answer_files::write(directory, WORKSPACE, &json(&found)?, page)?;
     match options.json {
         true => tell_json(&found)?,
         false => tell(found.text(), &written)?,
     }
     Ok(Exit::Done)
-}
-
-/// Writes both files; the paths.
-fn write(
-    directory: Option<&Directory>,
-    [document, page]: [&str; 2],
-    json: &str,
-    html: Result<Option<String>, linkdyn_picture::Fault>,
-) -> Result<Vec<PathBuf>, Failure> {
-    let Some(directory) = directory else {
-        return Ok(Vec::new());
-    };
-    let mut written = vec![directory.write(document, json.as_bytes())?];
-    match html.map_err(|fault| Failure::Stopped(format!("{page} is not written: {fault}")))? {
-        Some(html) => written.push(directory.write(page, html.as_bytes())?),
-        None => directory.remove(page)?,
-    }
-    Ok(written)
 }

@@ -19,6 +19,7 @@
 mod accuracy;
 mod allocate;
 mod animate;
+mod answer_files;
 mod assemblies;
 mod chains;
 mod check;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::answer_files;
 use super::exit::{Exit, Failure};
 use super::interrupt;
 use super::open::ModelOptions;
@@ -14,8 +15,7 @@ use linkdyn_ask::Question;
 use linkdyn_ask::synthesise::Synthesise;
 use linkdyn_output::{Directory, Status};
 
-const DOCUMENT: &str = "synthesis.json";
-const PAGE: &str = "synthesis.html";
+const FILES: [&str; 2] = ["synthesis.json", "synthesis.html"];
 
 #[derive(Debug, Args)]
 #[command(after_help = HELP)]
@@ -57,17 +57,8 @@ pub fn execute(options: &Options) -> Result<Exit, Failure> {
         print(&text)?;
         return Ok(Exit::Done);
     }
-    let mut written = Vec::new();
-    if let Some(directory) = &directory {
-        written.push(directory.write(DOCUMENT, json(&found)?.as_bytes())?);
-        let page = found.html().transpose();
-        let page =
-            page.map_err(|fault| Failure::Stopped(format!("{PAGE} is not written: {fault}")))?;
-        match page {
-            Some(page) => written.push(directory.write(PAGE, page.as_bytes())?),
-            None => directory.remove(PAGE)?,
-        }
-    }
+    let page = found.html().transpose();
+    let written = answer_files::write(directory.as_ref(), FILES, &json(&found)?, page)?;
     match options.json {
         true => tell_json(&found)?,
         false => tell(found.text(), &written)?,

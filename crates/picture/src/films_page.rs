@@ -8,7 +8,8 @@ const WIDTH: f64 = 260.0;
 const SECONDS: f64 = 5.0;
 /// Several drawings abreast.
 const NARROW: &str =
-    ".many { grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); }";
+    ".many { grid-template-columns: repeat(auto-fill, minmax(min(100%, 22rem), 1fr)); }
+.many svg { max-height: 55vh; }";
 /// Size of all drawings \[bytes\], at most.
 const LARGEST: usize = 12_000_000;
 
@@ -27,8 +28,13 @@ pub struct MovingMechanism {
     pub marks: Vec<[f64; 2]>,
 }
 
-/// The page with a heading, facts below it, and the films.
-pub fn films_page(heading: &str, facts: &[String], films: &[MovingMechanism]) -> String {
+/// The page with a heading, facts below it, the films, and notes with a heading of their own.
+pub fn films_page(
+    heading: &str,
+    facts: &[String],
+    films: &[MovingMechanism],
+    (about, notes): (&str, &[String]),
+) -> String {
     let mut main = String::from("<div class=\"many\">\n");
     let mut left = 0;
     for film in films {
@@ -41,6 +47,10 @@ pub fn films_page(heading: &str, facts: &[String], films: &[MovingMechanism]) ->
     main += "</div>\n";
     if left > 0 {
         main += &format!("<p class=\"muted\">{left} more are not drawn.</p>\n");
+    }
+    main += &format!("<h2>{}</h2>\n", sheet::text(about));
+    for note in notes {
+        main += &format!("<p>{}</p>\n", sheet::text(note));
     }
     sheet::styled_page(heading, facts, &main, NARROW)
 }
@@ -59,17 +69,5 @@ fn figure(film: &MovingMechanism) -> String {
     // On top, and in the first scene alone, so that they stand still.
     film.mechanism.mark(&mut scenes[0], WIDTH, &film.marks);
     let drawing = played::write(&behind, &scenes, SECONDS);
-    let texts: Vec<String> = film
-        .texts
-        .iter()
-        .enumerate()
-        .map(|(k, words)| match k {
-            0 => format!("<strong>{}</strong>", sheet::text(words)),
-            _ => format!("<br>{}", sheet::text(words)),
-        })
-        .collect();
-    format!(
-        "<figure class=\"card\">\n{drawing}<figcaption>{}</figcaption>\n</figure>\n",
-        texts.concat()
-    )
+    sheet::figure(&drawing, &film.texts)
 }

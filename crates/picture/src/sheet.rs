@@ -36,6 +36,19 @@ pub fn text(plain: &str) -> String {
     html::text(&words::printable(plain))
 }
 
+/// A drawing with a title and further lines below it.
+pub fn figure(drawing: &str, texts: &[String]) -> String {
+    let texts: String = texts
+        .iter()
+        .enumerate()
+        .map(|(k, words)| match k {
+            0 => format!("<strong>{}</strong>", text(words)),
+            _ => format!("<br>{}", text(words)),
+        })
+        .collect();
+    format!("<figure class=\"card\">\n{drawing}<figcaption>{texts}</figcaption>\n</figure>\n")
+}
+
 /// The whole page; `title` and `facts` are plain text, `main` is what stands below.
 pub fn page(title: &str, facts: &[String], main: &str) -> String {
     styled_page(title, facts, main, "")

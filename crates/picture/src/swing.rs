@@ -98,18 +98,7 @@ fn figure(shape: &Shape, rest: &[Pose], swing: &Swing) -> Result<String, Fault> 
         .collect();
     let behind = scenes.remove(0);
     let drawing = played::write(&behind, &scenes, SECONDS);
-    let texts: String = swing
-        .texts
-        .iter()
-        .enumerate()
-        .map(|(k, words)| match k {
-            0 => format!("<strong>{}</strong>", sheet::text(words)),
-            _ => format!("<br>{}", sheet::text(words)),
-        })
-        .collect();
-    Ok(format!(
-        "<figure class=\"card\">\n{drawing}<figcaption>{texts}</figcaption>\n</figure>\n"
-    ))
+    Ok(sheet::figure(&drawing, &swing.texts))
 }
 
 /// All bodies in a motion.

@@ -65,6 +65,8 @@ struct Search<'s> {
     /// Positions whose crank angle varies.
     open: Vec<usize>,
     stop: &'s dyn Fn() -> bool,
+    /// Where the residuals were asked for last, and the places there: derivatives are asked for at the same values.
+    last: Option<(Vec<f64>, Vec<Places>)>,
 }
 
 impl Search<'_> {
@@ -158,16 +160,21 @@ impl Evaluate for Search<'_> {
             return Outcome::Stopped;
         }
         let linkage = self.linkage(x);
-        match self.led(&linkage, &self.turns(x)) {
-            Some(all) => Outcome::of(self.residuals(&linkage, &all)),
-            None => Outcome::Missing,
-        }
+        let Some(all) = self.led(&linkage, &self.turns(x)) else {
+            return Outcome::Missing;
+        };
+        let residuals = self.residuals(&linkage, &all);
+        self.last = Some((x.to_vec(), all));
+        Outcome::of(residuals)
     }
 
     fn slopes(&mut self, x: &[f64]) -> Option<Vec<f64>> {
         let linkage = self.linkage(x);
         let turns = self.turns(x);
-        let all = self.led(&linkage, &turns)?;
+        let all = match self.last.take() {
+            Some((last, all)) if last == x => all,
+            _ => self.led(&linkage, &turns)?,
+        };
         let count = x.len();
         let is_angle = angles(&linkage);
         let length = self.limits.length;
@@ -176,7 +183,7 @@ impl Evaluate for Search<'_> {
             let by = linkage.slopes(places, *turn)?;
             let own = linkage.position(places, linkage.output);
             let k = 3 * linkage.output - 3;
-            // Of shift, turn and, for the point's own two, the point.
+            // The output's point and angle by a dimension, the last two of which move the point itself, and behind them the crank's angle.
             let dimension = |column: usize| -> (Number, f64) {
                 let angle = by[(k + 2, column)];
                 let shift = Number::new(by[(k, column)], by[(k + 1, column)]);
@@ -196,13 +203,7 @@ impl Evaluate for Search<'_> {
                 *own = (place * scale, angle * scale);
             }
             if let Some(at) = self.open.iter().position(|place| *place == j) {
-                let column = is_angle.len();
-                let angle = by[(k + 2, column)];
-                let shift = Number::new(by[(k, column)], by[(k + 1, column)]);
-                row[self.free.len() + at] = (
-                    shift + Number::i() * own.turn * linkage.point * angle,
-                    angle,
-                );
+                row[self.free.len() + at] = dimension(is_angle.len());
             }
             if wanted.point.is_some() {
                 rows.extend(row.iter().map(|(place, _)| place.re / length));
@@ -272,6 +273,7 @@ fn prepared<'s>(
         dimensions,
         open,
         stop,
+        last: None,
     };
     (search, Bounds::new(&ranges), start)
 }

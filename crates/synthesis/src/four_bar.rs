@@ -3,7 +3,7 @@
 use crate::dyad::{Dyad, Guide, Position};
 use crate::fit::Candidate;
 use crate::linkage::{Joint, Kind, Linkage};
-use crate::path::{Unknowns, cognates};
+use crate::path::{Unknowns, cognates, dyads};
 use linkdyn_linear::bilinear::Number;
 
 /// A four-bar that passes positions: its dyads, its point, and how far its coupler has turned at each.
@@ -85,23 +85,13 @@ impl Passing {
         let own: Unknowns = own.try_into().unwrap_or([first; 8]);
         let [_, left, right] = cognates(&own);
         [(left, self.dyads[0]), (right, self.dyads[1])].map(|(new, crank)| {
-            let [x, _, a, _, y, _, b, _] = new.map(|z| z + first);
             let turns = self.points.iter().zip(&self.turns).map(|(p, turn)| {
                 let there = *p + turn * (crank.moving - first);
                 let way = (there - crank.fixed) / (crank.moving - crank.fixed);
                 way / way.norm()
             });
             Passing {
-                dyads: [
-                    Dyad {
-                        fixed: a,
-                        moving: x,
-                    },
-                    Dyad {
-                        fixed: b,
-                        moving: y,
-                    },
-                ],
+                dyads: dyads(new.map(|z| z + first)),
                 points: self.points.clone(),
                 turns: turns.collect(),
             }

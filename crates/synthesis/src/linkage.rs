@@ -57,15 +57,15 @@ const STEP: f64 = 0.2;
 const SHORTEST: f64 = 1e-3;
 
 /// Rows of the joints, with derivatives by the places of bodies and by the dimensions.
-pub struct Rows {
+struct Rows {
     values: DVector<f64>,
     by_places: DMatrix<f64>,
     by_dimensions: Option<DMatrix<f64>>,
 }
 
 impl Linkage {
-    /// Lengths of the drawing: largest distance of two pins.
-    pub fn size(&self) -> f64 {
+    /// The extent of the drawing: largest distance of two pins, or of a pin and the point.
+    fn size(&self) -> f64 {
         let pins: Vec<Number> = self
             .joints
             .iter()
@@ -101,13 +101,6 @@ impl Linkage {
         }
         new.point = Number::new(next(), next());
         new
-    }
-
-    /// The pin of the crank to the ground.
-    pub fn pivot(&self) -> Option<Number> {
-        let is_pivot =
-            |joint: &&Joint| joint.bodies == [0, self.crank] || joint.bodies == [self.crank, 0];
-        self.joints.iter().find(is_pivot).and_then(Joint::pin)
     }
 
     /// All bodies as they are drawn.
@@ -203,8 +196,7 @@ impl Linkage {
     }
 
     /// The places near others at which the crank has turned so far; `None` where Newton's iteration does not come there.
-    pub fn closed(&self, near: &Places, turn: f64) -> Option<Places> {
-        let size = self.size();
+    fn closed(&self, near: &Places, turn: f64, size: f64) -> Option<Places> {
         let scale = |step: &Places| {
             let own = step.iter().enumerate();
             own.map(|(k, v)| if k % 3 == 2 { v.abs() } else { v.abs() / size })
@@ -231,6 +223,7 @@ impl Linkage {
 
     /// Leads the crank from one angle to another, in steps that are halved where they are too long.
     pub fn led(&self, mut places: Places, from: f64, to: f64) -> Option<Places> {
+        let size = self.size();
         let mut at = from;
         let mut step = STEP;
         while at != to {
@@ -245,14 +238,16 @@ impl Linkage {
             let tangent = rows.by_places.lu().solve(&right)?;
             let is_near = tangent.iter().enumerate().all(|(k, v)| match k % 3 {
                 2 => v.abs() <= 4.0 * STEP,
-                _ => v.abs() <= 4.0 * STEP * self.size(),
+                _ => v.abs() <= 4.0 * STEP * size,
             });
             let closed = match is_near {
-                true => self.closed(&(&places + &tangent), next).filter(|new| {
-                    // What the tangent did not foresee is another branch.
-                    let off = (new - &places - &tangent).amax();
-                    off <= 0.5 * tangent.amax() + 1e-12
-                }),
+                true => self
+                    .closed(&(&places + &tangent), next, size)
+                    .filter(|new| {
+                        // What the tangent did not foresee is another branch.
+                        let off = (new - &places - &tangent).amax();
+                        off <= 0.5 * tangent.amax() + 1e-12
+                    }),
                 false => None,
             };
             match closed {

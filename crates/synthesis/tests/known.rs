@@ -4,7 +4,7 @@ use linkdyn_linear::bilinear::{Number, Random};
 use linkdyn_synthesis::dyad::{Dyad, Position, guide, links, links_on_line};
 use linkdyn_synthesis::fit::{Candidate, Limits, Wanted, fit};
 use linkdyn_synthesis::linkage::{Joint, Kind, Linkage};
-use linkdyn_synthesis::path::{CURVES, FourBar, stored, through_nine};
+use linkdyn_synthesis::path::{CURVES, stored, through_nine};
 
 /// A closed form: the pin of a coupler of length c and a rocker of length l, on the left of the line from crank to rocker pivot.
 struct Known {
@@ -149,8 +149,8 @@ fn a_four_bar_and_its_cognates_are_found_from_nine_points() {
     let points: [Number; 9] = points.try_into().expect("nine");
     let paths = through_nine(&points, &|| false).expect("not stopped");
     let [a, b, _] = KNOWN.pins(0.3);
-    let is_it = |one: &&FourBar| {
-        has(&one.dyads, KNOWN.pivots[0], a, 1e-9) && has(&one.dyads, KNOWN.pivots[1], b, 1e-9)
+    let is_it = |one: &&[Dyad; 2]| {
+        has(*one, KNOWN.pivots[0], a, 1e-9) && has(*one, KNOWN.pivots[1], b, 1e-9)
     };
     assert_eq!(paths.found.iter().filter(is_it).count(), 1);
     assert!(
@@ -160,29 +160,29 @@ fn a_four_bar_and_its_cognates_are_found_from_nine_points() {
     assert!(paths.lost <= 8, "{} lost", paths.lost);
     // Each passes all nine: its dyads' circles have the coupler's turn in common.
     for one in &paths.found {
-        let shape = one.dyads[1].moving - one.dyads[0].moving;
+        let shape = one[1].moving - one[0].moving;
         for p in &points[1..] {
-            let [x, y] = one.dyads.map(|d| d.moving - points[0]);
+            let [x, y] = one.map(|d| d.moving - points[0]);
             let off = turn_there(one, *p - points[0], points[0])
                 .map(|turn| {
                     [x, y]
                         .iter()
-                        .zip(&one.dyads)
+                        .zip(one)
                         .map(|(x, d)| {
                             ((*p + turn * x - d.fixed).norm() - (d.moving - d.fixed).norm()).abs()
                         })
                         .fold(0.0, f64::max)
                 })
                 .fold(f64::INFINITY, f64::min);
-            let size = shape.norm() + (one.dyads[0].fixed - one.dyads[1].fixed).norm() + 1.0;
+            let size = shape.norm() + (one[0].fixed - one[1].fixed).norm() + 1.0;
             assert!(off < 1e-6 * size, "{off:e} of {size}");
         }
     }
 }
 
 /// Turns of the coupler with which the first dyad keeps its length.
-fn turn_there(one: &FourBar, by: Number, first: Number) -> impl Iterator<Item = Number> {
-    let d = one.dyads[0];
+fn turn_there(one: &[Dyad; 2], by: Number, first: Number) -> impl Iterator<Item = Number> {
+    let d = one[0];
     let (x, a) = (d.moving - first, d.fixed - first);
     // |δ − a + Θ x| = |x − a|
     let (way, length) = (by - a, (x - a).norm());

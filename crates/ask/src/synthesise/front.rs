@@ -3,6 +3,7 @@
 use super::judged::FoundLinkage;
 use super::problem::{Goal, LinkageTask};
 use linkdyn_linear::bilinear::Number;
+use linkdyn_synthesis::linkage::Joint;
 use std::cmp::Ordering;
 
 /// Pins that are nearer to each other than this part of the extent are the same, or much alike.
@@ -14,7 +15,7 @@ const WORSE: f64 = 5.0;
 const NO_ERROR: f64 = 1e-9;
 
 /// What counts, the less the better.
-pub fn costs(design: &FoundLinkage, problem: &LinkageTask) -> Vec<f64> {
+fn costs(design: &FoundLinkage, problem: &LinkageTask) -> Vec<f64> {
     let off = design.off.unwrap_or(0.0) / problem.size + design.off_angle.unwrap_or(0.0);
     let spread = match problem.goal {
         Goal::Function => design.spread[1] * problem.size,
@@ -99,9 +100,7 @@ pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) ->
 fn same(one: &FoundLinkage, other: &FoundLinkage, near: f64) -> bool {
     let pins = |design: &FoundLinkage| -> Vec<Number> {
         let joints = design.candidate.linkage.joints.iter();
-        joints
-            .filter_map(linkdyn_synthesis::linkage::Joint::pin)
-            .collect()
+        joints.filter_map(Joint::pin).collect()
     };
     let [a, b] = [pins(one), pins(other)];
     one.kind == other.kind

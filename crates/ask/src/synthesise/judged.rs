@@ -2,7 +2,7 @@
 
 use super::problem::{Goal, LinkageTask};
 use super::search::{EXACT, Gathered};
-use super::written::{Drive, Names, document};
+use super::written::{Names, document, frame};
 use crate::shape::poses_of;
 use crate::{ModelFile, Text};
 use linkdyn_engine::analysis::{
@@ -145,7 +145,7 @@ impl LinkageTask {
         };
         let start = circuits.as_ref().map_or(0.0, |(all, _)| all.values[0]);
         let linkage = &candidate.linkage;
-        let origin = circuit_origin(linkage, output);
+        let (origin, along) = frame(linkage, output + 1);
         let is_on = |turn: f64, wanted: &linkdyn_synthesis::fit::Wanted| {
             circuit.course.windows(2).any(|two| {
                 let [before, after] = [0, 1].map(|k| {
@@ -162,9 +162,9 @@ impl LinkageTask {
                 };
                 let [a, b] = [&two[0].1[output], &two[1].1[output]];
                 let [x, y, angle] = [0, 1, 2].map(|k| a[k] + part * (b[k] - a[k]));
-                let turned = angle - origin.1;
-                let at = Number::new(x, y)
-                    + Number::from_polar(1.0, turned) * (linkage.point - origin.0);
+                let turned = angle - along.arg();
+                let at =
+                    Number::new(x, y) + Number::from_polar(1.0, turned) * (linkage.point - origin);
                 let near = wanted
                     .point
                     .is_none_or(|point| (at - point).norm() <= NEAR_CIRCUIT * self.size);
@@ -182,7 +182,7 @@ impl LinkageTask {
 
     /// The circuits, by the engine, and which of the moving bodies is the output.
     fn circuits(&self, candidate: &Candidate, control: &Control) -> Option<(AllCircuits, usize)> {
-        let (document, names) = document(self, &candidate.linkage, "", Drive { turn: TAU });
+        let (document, names) = document(self, &candidate.linkage, "", TAU);
         let file = read(&document)?;
         let question = CircuitsQuestion {
             driver: None,
@@ -230,21 +230,14 @@ impl LinkageTask {
                 Goal::Function => "a function",
             }
         );
-        let drive = Drive {
-            turn: if turns_fully { whole_turn } else { last },
-        };
-        let (model, names) = document(self, linkage, &title, drive);
+        let turn = if turns_fully { whole_turn } else { last };
+        let (model, names) = document(self, linkage, &title, turn);
         let broken = |why: &str| Defect::Run(why.to_owned());
         let file = read(&model).ok_or_else(|| broken("its model can't be read"))?;
-        let start = &model["drivers"]["motor"]["motion"]["start"];
-        let start = start
-            .as_str()
-            .and_then(|text| text.strip_suffix(" deg")?.parse::<f64>().ok());
-        let start = start.unwrap_or_default().to_radians();
         let points: Vec<Value> = turns
             .iter()
             .enumerate()
-            .map(|(k, turn)| json!([k, format!("{:?} rad", start + turn)]))
+            .map(|(k, turn)| json!([k, format!("{:?} rad", names.start + turn)]))
             .collect();
         let motion = json!({ "type": "table", "points": points, "interpolation": "monotone" });
         let steps = turns.len() - 1;
@@ -296,7 +289,7 @@ impl LinkageTask {
             off_angle,
             transmission,
             size,
-            effort: response("effort").filter(|_| self.load.is_some()),
+            effort: response("effort").filter(|_| self.asked.load.is_some()),
             spread,
             turns_fully,
             front: 0,
@@ -341,22 +334,6 @@ impl LinkageTask {
 /// Distance of an angle from the next whole turn.
 fn whole(angle: f64) -> f64 {
     (angle - TAU * (angle / TAU).round()).abs()
-}
-
-/// Where the frame of the output begins, in the drawing, and its angle there.
-fn circuit_origin(linkage: &Linkage, output: usize) -> (Number, f64) {
-    let own = linkage
-        .joints
-        .iter()
-        .filter(|joint| joint.bodies.contains(&(output + 1)));
-    let pins: Vec<Number> = own
-        .filter_map(linkdyn_synthesis::linkage::Joint::pin)
-        .collect();
-    let along = match pins.get(1) {
-        Some(second) => (second - pins[0]).arg(),
-        None => 0.0,
-    };
-    (pins.first().copied().unwrap_or_default(), along)
 }
 
 /// The crank's angles, counted on in one direction; `None` where it does not pass them in their order.

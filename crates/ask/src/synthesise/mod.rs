@@ -10,18 +10,15 @@ mod search;
 mod text;
 mod written;
 
-use crate::{ModelFile, Question, Text, Unanswered};
+use crate::{ModelFile, Question, Unanswered};
 use front::ranked;
 use judged::{Defect, FoundLinkage};
 use linkdyn_engine::analysis::Control;
-use linkdyn_model::FileAccess;
 use problem::LinkageTask;
 use rayon::prelude::*;
 use search::{Gathered, SearchCounts};
-use serde_json::Value;
 
 pub use listed::{ListedChains, MOST_BODIES, all_chains};
-pub use problem::Goal;
 
 /// Linkages that are kept, and starts, where nobody says.
 pub const MOST: u64 = 20;
@@ -147,10 +144,8 @@ fn judge(problem: &LinkageTask, own: Gathered, control: &Control) -> (Tried, Vec
     let verdicts: Vec<Result<FoundLinkage, Defect>> = own
         .candidates
         .par_iter()
-        .map(|candidate| match control.stop() {
-            Some(_) => Err(Defect::Limits),
-            None => problem.judged(&own, candidate, control),
-        })
+        .filter(|_| control.stop().is_none())
+        .map(|candidate| problem.judged(&own, candidate, control))
         .collect();
     let mut tried = Tried {
         kind: own.kind,
@@ -205,34 +200,16 @@ impl Synthesised {
         self.designs.len()
     }
 
-    /// The model of one of them, counted from 1.
-    ///
-    /// # Errors
-    /// Where there is none of that number.
-    pub fn model(&self, number: usize) -> Result<ModelFile, Unanswered> {
-        let count = self.designs.len();
-        let design = number.checked_sub(1).and_then(|k| self.designs.get(k));
-        let Some(design) = design else {
-            return Err(Unanswered::question(format!(
-                "--take {number}: there are {count} linkages"
-            )));
-        };
-        let text = pretty(&design.model);
-        let name = design.kind.replace('_', "-");
-        let text = Text::new(name.clone(), name, text.into_bytes(), FileAccess::default());
-        Ok(ModelFile::read(text, Vec::new())?)
-    }
-
     /// The text of the model file of one of them, counted from 1.
     ///
     /// # Errors
-    /// As [`Synthesised::model`].
+    /// Where there is none of that number.
     pub fn print(&self, number: usize) -> Result<String, Unanswered> {
-        self.model(number)?;
-        Ok(pretty(&self.designs[number - 1].model))
+        let design = number.checked_sub(1).and_then(|k| self.designs.get(k));
+        let design = design.ok_or_else(|| {
+            let count = self.designs.len();
+            Unanswered::question(format!("--take {number}: there are {count} linkages"))
+        })?;
+        Ok(format!("{:#}\n", design.model))
     }
-}
-
-fn pretty(model: &Value) -> String {
-    format!("{model:#}\n")
 }

@@ -20,15 +20,13 @@ impl Synthesised {
         }
         let words = self.text().to_string();
         let mut lines = words.lines();
-        let mut facts: Vec<String> = lines.next().map(str::to_owned).into_iter().collect();
-        for own in &self.tried {
+        let facts: Vec<String> = lines.next().map(str::to_owned).into_iter().collect();
+        let found = self.tried.iter().flat_map(|own| {
             let kind = own.kind.replace('_', "-");
-            facts.extend(
-                own.lines(&self.problem)
-                    .iter()
-                    .map(|line| format!("{kind}: {line}")),
-            );
-        }
+            let lines = own.lines(&self.problem).into_iter();
+            lines.map(move |line| format!("{kind}: {line}"))
+        });
+        let found: Vec<String> = found.collect();
         let films: Option<Vec<Result<MovingMechanism, Fault>>> = self
             .designs
             .iter()
@@ -37,7 +35,7 @@ impl Synthesised {
             .collect();
         let films: Result<Vec<MovingMechanism>, Fault> = films?.into_iter().collect();
         let title = format!("{}: linkages", self.file.name());
-        Some(films.map(|films| films_page(&title, &facts, &films)))
+        Some(films.map(|films| films_page(&title, &facts, &films, ("How they were found", &found))))
     }
 
     fn film(&self, design: &FoundLinkage, number: usize) -> Option<Result<MovingMechanism, Fault>> {

@@ -3,8 +3,9 @@
 use crate::{ModelFile, Unanswered};
 use linkdyn_linear::bilinear::Number;
 use linkdyn_model::display::DisplayUnits;
-use linkdyn_model::synthesise::{LinkageKind, Region, Synthesise, WantedLoad};
+use linkdyn_model::synthesise::{LinkageKind, Region, Synthesise, WantedPosition};
 use linkdyn_synthesis::fit::Wanted;
+use linkdyn_synthesis::linkage::{Joint, Linkage};
 
 /// What is asked of the output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,8 +39,6 @@ pub struct LinkageTask {
     pub pivots: [[f64; 2]; 2],
     /// Least and greatest distance of pins \[m\].
     pub lengths: [f64; 2],
-    /// What acts on the output.
-    pub load: Option<WantedLoad>,
     /// Units of the task.
     pub display: DisplayUnits,
 }
@@ -76,12 +75,11 @@ impl LinkageTask {
                 (_, Some(positions), _) => {
                     // Angles are counted from that of the first position.
                     let first = positions[0].angle;
-                    let one =
-                        |(k, own): (usize, &linkdyn_model::synthesise::WantedPosition)| Wanted {
-                            crank: crank(k),
-                            point: Some(number(own.point)),
-                            angle: own.angle.zip(first).map(|(own, first)| own - first),
-                        };
+                    let one = |(k, own): (usize, &WantedPosition)| Wanted {
+                        crank: crank(k),
+                        point: Some(number(own.point)),
+                        angle: own.angle.zip(first).map(|(own, first)| own - first),
+                    };
                     (
                         Goal::Motion,
                         positions.iter().enumerate().map(one).collect(),
@@ -116,7 +114,6 @@ impl LinkageTask {
             size,
             pivots: asked.pivots.map_or(around, |Region { x, y }| [x, y]),
             lengths: asked.lengths.unwrap_or([SHORTEST * size, LONGEST * size]),
-            load: asked.load,
             display: file.model().display.clone(),
             asked: asked.clone(),
             wanted,
@@ -124,7 +121,7 @@ impl LinkageTask {
     }
 
     /// Whether a linkage keeps to pivots and lengths.
-    pub fn allows(&self, linkage: &linkdyn_synthesis::linkage::Linkage) -> bool {
+    pub fn allows(&self, linkage: &Linkage) -> bool {
         let is_within = |at: Number| {
             let near = 1e-9 * self.size;
             [at.re, at.im]
@@ -140,7 +137,7 @@ impl LinkageTask {
                 .joints
                 .iter()
                 .filter(|joint| joint.bodies.contains(&body))
-                .filter_map(linkdyn_synthesis::linkage::Joint::pin)
+                .filter_map(Joint::pin)
                 .collect();
             let mut apart = own
                 .iter()

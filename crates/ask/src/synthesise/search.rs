@@ -6,7 +6,7 @@ use linkdyn_linear::bilinear::{Number, Random};
 use linkdyn_model::synthesise::LinkageKind;
 use linkdyn_synthesis::chains::{self, Chain, chains};
 use linkdyn_synthesis::dyad::{Dyad, Position, guide, links, links_on_line};
-use linkdyn_synthesis::fit::{Candidate, Limits, distance, fit};
+use linkdyn_synthesis::fit::{Candidate, Limits, Wanted, distance, fit};
 use linkdyn_synthesis::four_bar::{
     Passing, freudenstein, function_four_bar, relative, slider_crank,
 };
@@ -101,7 +101,6 @@ struct Template {
 
 impl LinkageTask {
     /// All linkages of a kind, or some on a curve of them, where an exact method knows them; outer `None`: stopped.
-    #[allow(clippy::option_option)]
     pub fn exact(&self, kind: LinkageKind, control: &Control) -> Option<Option<Gathered>> {
         match kind {
             LinkageKind::FourBar => self.four_bars(&|| control.stop().is_some()),
@@ -192,15 +191,12 @@ impl LinkageTask {
 
     /// Positions of the output, where all have an angle.
     fn positions(&self) -> Option<Vec<Position>> {
-        let one = |own: &linkdyn_synthesis::fit::Wanted| {
-            Some((own.point?, Number::from_polar(1.0, own.angle?)))
-        };
+        let one = |own: &Wanted| Some((own.point?, Number::from_polar(1.0, own.angle?)));
         let all: Option<Vec<(Number, Number)>> = self.wanted.iter().map(one).collect();
         all.map(|all| Position::counted(&all))
     }
 
     /// All four-bars, where an exact method has them; outer `None`: stopped.
-    #[allow(clippy::option_option)]
     fn four_bars(&self, stop: &(dyn Fn() -> bool + Sync)) -> Option<Option<Gathered>> {
         let count = self.wanted.len();
         Some(match (self.goal, self.is_timed(), count) {
@@ -214,7 +210,7 @@ impl LinkageTask {
                 let passing = paths
                     .found
                     .iter()
-                    .map(|one| Passing::through(one.dyads, &points));
+                    .map(|dyads| Passing::through(*dyads, &points));
                 let mut notes = vec![format!(
                     "{} coupler curves in complex numbers of {CURVES}, {} four-bars are real, each with its two cognates",
                     paths.complex,

@@ -4,7 +4,7 @@ use super::problem::{Goal, LinkageTask};
 use indexmap::IndexMap;
 use linkdyn_linear::bilinear::Number;
 use linkdyn_model::display::Shown;
-use linkdyn_synthesis::linkage::{Kind, Linkage};
+use linkdyn_synthesis::linkage::{Joint, Kind, Linkage};
 use serde_json::{Map, Value, json};
 use std::f64::consts::TAU;
 
@@ -22,13 +22,8 @@ pub struct Names {
     pub point: String,
     /// Responses of the angle of transmission at each pin of the last body.
     pub transmission: Vec<String>,
-}
-
-/// How the crank moves.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drive {
-    /// From its first position to its last one, or over a whole turn \[rad\].
-    pub turn: f64,
+    /// The crank's angle at the first position \[rad\].
+    pub start: f64,
 }
 
 /// Names of the bodies of a linkage.
@@ -102,12 +97,27 @@ fn angle(value: f64) -> String {
     format!("{:?} deg", value.to_degrees())
 }
 
-/// The model of a linkage.
+/// Where the frame of a body begins, and e^{iθ} of its angle, as it is drawn: its first pin, and the way to its second one.
+pub fn frame(linkage: &Linkage, body: usize) -> (Number, Number) {
+    let own = linkage
+        .joints
+        .iter()
+        .filter(|joint| joint.bodies.contains(&body));
+    let mut pins = own.filter_map(Joint::pin);
+    let origin = pins.next().unwrap_or_default();
+    let along = pins.next().map(|second| second - origin);
+    (
+        origin,
+        along.map_or(Number::new(1.0, 0.0), |way| way / way.norm()),
+    )
+}
+
+/// The model of a linkage whose crank turns so far from the first position \[rad\].
 pub fn document(
     problem: &LinkageTask,
     linkage: &Linkage,
     title: &str,
-    drive: Drive,
+    turn: f64,
 ) -> (Value, Names) {
     let names = bodies(linkage);
     let mut writer = Writer {
@@ -141,11 +151,7 @@ pub fn document(
             written.insert(name, json!({ "points": points }));
             continue;
         }
-        let origin = own.first().map_or(Number::default(), |(_, at)| *at);
-        let along = match own.get(1) {
-            Some((_, second)) => (second - origin) / (second - origin).norm(),
-            None => Number::new(1.0, 0.0),
-        };
+        let (origin, along) = frame(linkage, body);
         for (k, (letter, at)) in own.iter().enumerate() {
             let local = (at - origin) * along.conj();
             let place = match k {
@@ -171,23 +177,19 @@ pub fn document(
         .joints
         .iter()
         .enumerate()
-        .map(|(k, joint)| joint_of(linkage, &names, k, joint.kind))
+        .map(|(k, joint)| joint_of(linkage, &names, k, joint.kind, &mut writer))
         .collect();
     let crank = &names[linkage.crank];
-    let arm = all
-        .iter()
-        .filter(|(k, _)| linkage.joints[*k].bodies.contains(&linkage.crank));
-    let arm: Vec<Number> = arm.map(|(_, at)| *at).take(2).collect();
-    let start = arm.get(1).map_or(0.0, |end| (end - arm[0]).arg());
-    let velocity = match drive.turn < 0.0 {
+    let start = frame(linkage, linkage.crank).1.arg();
+    let velocity = match turn < 0.0 {
         true => format!("-{SPEED}"),
         false => SPEED.to_owned(),
     };
     // Whole steps, so that rows are evenly spaced over a whole turn.
-    let step = drive.turn / (drive.turn.abs() / STEP).ceil().max(1.0);
+    let step = turn / (turn.abs() / STEP).ceil().max(1.0);
     let mut analysis = json!({
         "type": "quasi_statics",
-        "sample": { "driver": "motor", "from": angle(start), "to": angle(start + drive.turn), "step": angle(step.abs()) }
+        "sample": { "driver": "motor", "from": angle(start), "to": angle(start + turn), "step": angle(step.abs()) }
     });
     let mut responses = Map::new();
     let mut transmission = Vec::new();
@@ -205,7 +207,7 @@ pub fn document(
     responses.insert("effort".into(), json!("max(abs(driver.motor.effort))"));
     let point = format!("{}.P", names[linkage.output]);
     let mut forces = Map::new();
-    if let Some(load) = problem.load {
+    if let Some(load) = problem.asked.load {
         if load.force != [0.0; 2] && has_point {
             let force = load.force.map(|value| format!("{value:?} N"));
             forces.insert(
@@ -243,6 +245,7 @@ pub fn document(
             bodies: names,
             point,
             transmission,
+            start,
         },
     )
 }
@@ -264,13 +267,16 @@ fn guided(linkage: &Linkage) -> Option<(String, Number)> {
         .joints
         .iter()
         .filter(|own| own.bodies.contains(&slider));
-    Some((
-        letter(k),
-        pins.find_map(linkdyn_synthesis::linkage::Joint::pin)?,
-    ))
+    Some((letter(k), pins.find_map(Joint::pin)?))
 }
 
-fn joint_of(linkage: &Linkage, names: &[String], number: usize, kind: Kind) -> (String, Value) {
+fn joint_of(
+    linkage: &Linkage,
+    names: &[String],
+    number: usize,
+    kind: Kind,
+    writer: &mut Writer<'_>,
+) -> (String, Value) {
     let own = letter(number);
     let [a, b] = linkage.joints[number].bodies;
     let value = match kind {
@@ -278,13 +284,15 @@ fn joint_of(linkage: &Linkage, names: &[String], number: usize, kind: Kind) -> (
             json!({ "type": "revolute", "between": [format!("{}.{own}", names[a]), format!("{}.{own}", names[b])] })
         }
         Kind::Guide(direction) => {
+            let slide = json!(angle(direction));
+            writer.parameters.insert("slide".into(), slide);
             let slider = if a == 0 { b } else { a };
             let pin = linkage
                 .joints
                 .iter()
                 .position(|joint| joint.pin().is_some() && joint.bodies.contains(&slider));
             let point = format!("{}.{}", names[slider], letter(pin.unwrap_or_default()));
-            json!({ "type": "prismatic", "between": [format!("{}.{own}", names[0]), point], "axis": [direction.cos(), direction.sin()] })
+            json!({ "type": "prismatic", "between": [format!("{}.{own}", names[0]), point], "axis": ["=cos(slide)", "=sin(slide)"] })
         }
     };
     (joint_name(number), value)

@@ -23,12 +23,12 @@ mod table;
 mod unknowns;
 
 use crate::dyad::Dyad;
-use follow::NEARER;
+use follow::{End, NEAR, NEARER, follow};
 use linkdyn_linear::bilinear::{Number, Random};
 use rayon::prelude::*;
 use table::Table;
+use unknowns::random_points;
 
-pub use follow::{End, NEAR, follow};
 pub use monodromy::all_of_random_points;
 pub use unknowns::{Displacements, Unknowns};
 
@@ -46,18 +46,11 @@ const SHORTEST: f64 = 1e-6;
 /// The first unknowns of each class of three cognates, for the points of [`start`], as pairs of single floats.
 const STORED: &[u8] = include_bytes!("curves.bin");
 
-/// A four-bar: its two dyads, each with the place of its moving pivot where the point is at the first of the nine.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FourBar {
-    /// The dyads.
-    pub dyads: [Dyad; 2],
-}
-
 /// What was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Paths {
-    /// Real four-bars, cognates one after the other.
-    pub found: Vec<FourBar>,
+    /// Both dyads of each real four-bar, cognates one after the other; moving pivots where the point is at the first of the nine.
+    pub found: Vec<[Dyad; 2]>,
     /// Coupler curves in complex numbers.
     pub complex: usize,
     /// Paths that went to infinity or ended in a singular point.
@@ -68,10 +61,7 @@ pub struct Paths {
 
 /// The points that the stored curves pass.
 pub fn start() -> Displacements {
-    let mut random = Random::new(0x2545_f491_4f6c_dd1d);
-    // Lengths between 0.5 and 1.5, so that no point stands out.
-    let mut number = || random.turn() + random.turn() * 0.5;
-    std::array::from_fn(|_| [number(), number()])
+    random_points(&mut Random::new(0x2545_f491_4f6c_dd1d))
 }
 
 /// The stored curves, brought to round-off.
@@ -148,35 +138,29 @@ fn doubtful(ends: &[End]) -> Vec<usize> {
 }
 
 /// The real four-bars of a coupler curve.
-fn real(root: &Unknowns, first: Number, size: f64) -> Vec<FourBar> {
+fn real(root: &Unknowns, first: Number, size: f64) -> Vec<[Dyad; 2]> {
     let is_real = |root: &Unknowns| {
         let scale = root.iter().map(|z| z.norm()).fold(1.0, f64::max);
         let mut pairs = root.chunks(2);
         pairs.all(|pair| (pair[0] - pair[1].conj()).norm() <= REAL_PATH * scale)
     };
-    let placed = |root: Unknowns| {
-        let [x, _, a, _, y, _, b, _] = root.map(|z| z * size + first);
-        FourBar {
-            dyads: [
-                Dyad {
-                    fixed: a,
-                    moving: x,
-                },
-                Dyad {
-                    fixed: b,
-                    moving: y,
-                },
-            ],
-        }
-    };
-    let is_link = |one: &FourBar| {
-        let mut lengths = one.dyads.iter().map(|d| (d.fixed - d.moving).norm());
-        lengths.all(|length| length > SHORTEST * size)
-            && (one.dyads[0].moving - one.dyads[1].moving).norm() > SHORTEST * size
+    let placed = |root: Unknowns| dyads(root.map(|z| z * size + first));
+    let is_link = |[one, other]: &[Dyad; 2]| {
+        let lengths = [
+            one.fixed - one.moving,
+            other.fixed - other.moving,
+            one.moving - other.moving,
+        ];
+        lengths.iter().all(|way| way.norm() > SHORTEST * size)
     };
     // All cognates are real, or none is.
     let all = cognates(root).into_iter().filter(is_real);
     all.map(placed).filter(is_link).collect()
+}
+
+/// Both dyads of unknowns that are real, with all places counted from one origin.
+pub(crate) fn dyads([x, _, a, _, y, _, b, _]: Unknowns) -> [Dyad; 2] {
+    [(a, x), (b, y)].map(|(fixed, moving)| Dyad { fixed, moving })
 }
 
 /// A linkage and its two cognates (Roberts 1875): with k = (p − x)/(y − x) the third pivot is a + k (b − a).

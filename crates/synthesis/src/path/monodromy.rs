@@ -3,18 +3,13 @@
 
 use super::follow::{End, NEAR, follow, polished};
 use super::table::Table;
-use super::unknowns::{Displacements, Unknowns};
+use super::unknowns::{Displacements, Unknowns, random_points};
 use super::{CURVES, cognates, start};
 use linkdyn_linear::bilinear::{Number, Random};
 use rayon::prelude::*;
 
 /// Loops after which there is nothing new.
 const MOST_LOOPS: usize = 200;
-
-fn random_points(random: &mut Random) -> Displacements {
-    let mut number = || random.turn() + random.turn() * 0.5;
-    std::array::from_fn(|_| [number(), number()])
-}
 
 /// A random four-bar, and points of its curve.
 fn first(random: &mut Random) -> (Unknowns, Displacements) {
@@ -41,7 +36,7 @@ fn first(random: &mut Random) -> (Unknowns, Displacements) {
     (z, points)
 }
 
-/// The curves through [`start`], one four-bar of each, as far as `loops` random loops find them.
+/// The curves through [`start`], one four-bar of each, as far as random loops find them; `told` hears after each loop how many there are.
 pub fn all_of_random_points(told: &mut dyn FnMut(usize)) -> Vec<Unknowns> {
     let mut random = Random::new(3);
     let base = start();
