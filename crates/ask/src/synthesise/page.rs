@@ -20,7 +20,10 @@ impl Synthesised {
         }
         let words = self.text().to_string();
         let mut lines = words.lines();
-        let facts: Vec<String> = lines.next().map(str::to_owned).into_iter().collect();
+        let mut facts: Vec<String> = lines.next().map(str::to_owned).into_iter().collect();
+        if self.is_stopped {
+            facts.push("interrupted: what was found until then".into());
+        }
         let found = self.tried.iter().flat_map(|own| {
             let kind = own.kind.replace('_', "-");
             let lines = own.lines(&self.problem).into_iter();
@@ -58,6 +61,10 @@ impl Synthesised {
         let path = path.collect();
         let display = &self.problem.display;
         let mut texts = vec![format!("{number}: {}", design.kind.replace('_', "-"))];
+        let off = |off: f64| format!("off by {} at most", display.length_to(off, 2));
+        texts.extend(design.off.map(off));
+        let angle = |off: f64| format!("its angle by {}", display.angle_to(off, 2));
+        texts.extend(design.off_angle.map(angle));
         texts.extend(
             design
                 .transmission
