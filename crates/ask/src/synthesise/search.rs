@@ -216,16 +216,16 @@ impl LinkageTask {
                     paths.complex,
                     paths.found.len()
                 )];
-                if paths.singular > 0 {
+                let singular = CURVES.saturating_sub(paths.complex + paths.missing);
+                if singular > 0 {
                     notes.push(format!(
-                        "{} of the {CURVES} are at infinity or degenerate for these points",
-                        paths.singular
+                        "{singular} of the {CURVES} are at infinity or degenerate for these points"
                     ));
                 }
-                if paths.lost > 0 {
+                if paths.missing > 0 {
                     notes.push(format!(
-                        "{} paths to coupler curves were lost: there may be more",
-                        paths.lost
+                        "up to {} coupler curves may be missing: paths to them were lost",
+                        paths.missing
                     ));
                 }
                 Some(Gathered {
@@ -233,7 +233,7 @@ impl LinkageTask {
                     kind: "four_bar".into(),
                     method: "all four-bars through nine points".into(),
                     candidates: passing.flat_map(|own| own.candidates()).collect(),
-                    is_complete: paths.lost == 0,
+                    is_complete: paths.missing == 0,
                     off: OTHER,
                     notes,
                 })

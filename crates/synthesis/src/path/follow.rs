@@ -7,9 +7,8 @@ use nalgebra::{SMatrix, SVector};
 type Matrix = SMatrix<Number, 8, 8>;
 type Column = SVector<Number, 8>;
 
-/// First corrections of steps that are taken, in parts of the size: at first, and where that lost a path.
-pub const NEAR: f64 = 1e-4;
-pub const NEARER: f64 = 1e-6;
+/// First corrections of steps that are taken, in parts of the size.
+const NEAR: f64 = 1e-4;
 /// The second correction in parts of the first.
 const FASTER: f64 = 0.1;
 /// Corrections as small as this need not become smaller: round-off of the equations where they are badly conditioned.
@@ -138,7 +137,7 @@ fn between(from: &Displacements, to: &Displacements, s: f64) -> Displacements {
 }
 
 /// Follows a root as the points move along straight lines.
-pub fn follow(root: Unknowns, from: &Displacements, to: &Displacements, near: f64) -> End {
+pub fn follow(root: Unknowns, from: &Displacements, to: &Displacements) -> End {
     let change: Displacements =
         std::array::from_fn(|j| std::array::from_fn(|i| to[j][i] - from[j][i]));
     let (mut s, mut step) = (0.0_f64, 0.01_f64);
@@ -155,7 +154,7 @@ pub fn follow(root: Unknowns, from: &Displacements, to: &Displacements, near: f6
             Some((old, bend, back)) => hermite((old, bend), (&z, &slope), *back, length),
         };
         let points = between(from, to, s + length);
-        match corrected(guess, &points, near) {
+        match corrected(guess, &points) {
             Some((next, first)) => {
                 let is_end = s + length >= 1.0;
                 if is_end {
@@ -170,16 +169,17 @@ pub fn follow(root: Unknowns, from: &Displacements, to: &Displacements, near: f6
                 before = Some((z, slope, length));
                 (z, slope, s) = (next, own, s + length);
                 // The error grows as the fourth power of the step.
-                let grow = (0.2 * near / first.max(1e-3 * near)).powf(0.25);
+                let grow = (0.2 * NEAR / first.max(1e-3 * NEAR)).powf(0.25);
                 step = (length * grow.clamp(0.5, 2.0)).min(LONGEST);
             }
             None => step = 0.4 * length,
         }
-        if z.norm() > LARGEST || step < SHORTEST && 1.0 - s < AT_END {
-            return End::Singular;
-        }
-        if step < SHORTEST {
-            return End::Lost;
+        if z.norm() > LARGEST || step < SHORTEST {
+            return if 1.0 - s < AT_END {
+                End::Singular
+            } else {
+                End::Lost
+            };
         }
     }
     End::Lost
@@ -197,9 +197,9 @@ fn hermite(old: (&Column, &Column), new: (&Column, &Column), back: f64, ahead: f
 }
 
 /// Corrected, and the size of the first correction; `None` if the step was too long.
-fn corrected(mut z: Column, points: &Displacements, near: f64) -> Option<(Column, f64)> {
+fn corrected(mut z: Column, points: &Displacements) -> Option<(Column, f64)> {
     let (step, first) = correction(&z, points)?;
-    if first > near {
+    if first > NEAR {
         return None;
     }
     z -= step;

@@ -23,7 +23,7 @@ mod table;
 mod unknowns;
 
 use crate::dyad::Dyad;
-use follow::{End, NEAR, NEARER, follow};
+use follow::{End, follow};
 use linkdyn_linear::bilinear::{Number, Random};
 use rayon::prelude::*;
 use table::Table;
@@ -37,6 +37,9 @@ pub const POINTS: usize = 9;
 
 /// Coupler curves through nine generic points.
 pub const CURVES: usize = 1442;
+
+/// Routes that are taken at most, until all curves are found.
+const ROUTES: usize = 5;
 
 /// How far, in parts of its size, a number may be from the conjugate of its bar, and still be real.
 const REAL_PATH: f64 = 1e-8;
@@ -53,10 +56,9 @@ pub struct Paths {
     pub found: Vec<[Dyad; 2]>,
     /// Coupler curves in complex numbers.
     pub complex: usize,
-    /// Paths that went to infinity or ended in a singular point.
-    pub singular: usize,
-    /// Paths that were lost.
-    pub lost: usize,
+    /// Curves that may be missing: none if all of [`CURVES`] were found, or if a whole route brought no new one and its other paths
+    /// ended in singular points.
+    pub missing: usize,
 }
 
 /// The points that the stored curves pass.
@@ -88,53 +90,48 @@ pub fn through_nine(points: &[Number; POINTS], stop: &(dyn Fn() -> bool + Sync))
         let delta = (points[j + 1] - first) / size;
         [delta, delta.conj()]
     });
-    let from = start();
-    let starts = stored();
-    let followed = |which: &[usize], near: f64| -> Option<Vec<End>> {
-        let ends = which
-            .par_iter()
-            .map(|k| (!stop()).then(|| follow(starts[*k], &from, &target, near)));
-        ends.collect()
-    };
-    let all: Vec<usize> = (0..starts.len()).collect();
-    let mut ends = followed(&all, NEAR)?;
-    // Lost paths, and two that came to one curve, again with smaller steps.
-    let again = doubtful(&ends);
-    for (k, end) in again.iter().zip(followed(&again, NEARER)?) {
-        ends[*k] = end;
-    }
+    let (start, stored) = (start(), stored());
+    let mut random = Random::new(1);
     let mut paths = Paths {
         found: Vec::new(),
         complex: 0,
-        singular: ends.iter().filter(|end| **end == End::Singular).count(),
-        lost: doubtful(&ends).len(),
+        missing: CURVES,
     };
     let mut table = Table::default();
-    for end in ends {
-        if let End::Root(root) = end
-            && table.add(root)
-        {
-            paths.complex += 1;
-            paths.found.extend(real(&root, first, size));
+    for route in 0..ROUTES {
+        // Equations of δ and of δ̄ keep their form if all lengths of one kind are turned. So the points start elsewhere on each route, and a
+        // curve that a path misses, or that two paths come to, is met by another path on the next route.
+        let turns = [(); 2].map(|()| match route {
+            0 => Number::from(1.0),
+            _ => random.turn(),
+        });
+        let from: Displacements = start.map(|[d, dd]| [d * turns[0], dd * turns[1]]);
+        let ends: Option<Vec<End>> = stored
+            .par_iter()
+            .map(|root| {
+                let root = std::array::from_fn(|i| root[i] * turns[i % 2]);
+                (!stop()).then(|| follow(root, &from, &target))
+            })
+            .collect();
+        let ends = ends?;
+        let before = paths.complex;
+        let singular = ends.iter().filter(|end| **end == End::Singular).count();
+        for end in ends {
+            if let End::Root(root) = end
+                && table.add(root)
+            {
+                paths.complex += 1;
+                paths.found.extend(real(&root, first, size));
+            }
+        }
+        let gone = CURVES.saturating_sub(paths.complex + singular);
+        let brought = paths.complex - before;
+        paths.missing = CURVES.saturating_sub(paths.complex).min(gone.max(brought));
+        if paths.missing == 0 {
+            break;
         }
     }
     Some(paths)
-}
-
-/// Paths that were lost, and those of which two came to one curve.
-fn doubtful(ends: &[End]) -> Vec<usize> {
-    let again = |order: &mut dyn Iterator<Item = usize>| -> Vec<usize> {
-        let mut table = Table::default();
-        let is_again = |k: &usize| matches!(ends[*k], End::Root(root) if !table.add(root));
-        order.filter(is_again).collect()
-    };
-    let lost = (0..ends.len()).filter(|k| ends[*k] == End::Lost);
-    let mut all: Vec<usize> = lost.collect();
-    all.extend(again(&mut (0..ends.len())));
-    all.extend(again(&mut (0..ends.len()).rev()));
-    all.sort_unstable();
-    all.dedup();
-    all
 }
 
 /// The real four-bars of a coupler curve.

@@ -1,7 +1,7 @@
 //! How the stored curves were found: one random four-bar, whose points are led along random loops, comes back as another one. This goes
 //! on until there are as many as are known to be (Duff et al., Solving polynomial systems via homotopy continuation and monodromy, 2019).
 
-use super::follow::{End, NEAR, follow, polished};
+use super::follow::{End, follow, polished};
 use super::table::Table;
 use super::unknowns::{Displacements, Unknowns, random_points};
 use super::{CURVES, cognates, start};
@@ -43,7 +43,7 @@ pub fn all_of_random_points(told: &mut dyn FnMut(usize)) -> Vec<Unknowns> {
     let (mut one, mut points) = first(&mut random);
     // To the points that are stored, through others, so that the first path meets no other.
     for to in [random_points(&mut random), base] {
-        let End::Root(next) = follow(one, &points, &to, NEAR) else {
+        let End::Root(next) = follow(one, &points, &to) else {
             return Vec::new();
         };
         (one, points) = (next, to);
@@ -64,7 +64,7 @@ pub fn all_of_random_points(told: &mut dyn FnMut(usize)) -> Vec<Unknowns> {
             .filter_map(|one| {
                 let mut at = polished(one, &base)?;
                 for (from, to) in [(&base, &away), (&away, &other), (&other, &base)] {
-                    let End::Root(next) = follow(at, from, to, NEAR) else {
+                    let End::Root(next) = follow(at, from, to) else {
                         return None;
                     };
                     at = next;
