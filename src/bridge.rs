@@ -243,14 +243,13 @@ pub fn by_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> R
     Ok(pool.install(work))
 }
 
-/// An answer as JSON.
-pub fn json(answer: &impl serde::Serialize) -> String {
-    studies::text(answer)
-}
-
-/// An answer in words.
-pub fn words(page: linkdyn_ask::text::Page) -> String {
-    page.to_string()
+/// An answer as JSON and in words, and its page where there is one.
+pub fn told(
+    answer: &impl serde::Serialize,
+    words: linkdyn_ask::text::Page,
+    page: Option<String>,
+) -> (String, String, Option<String>) {
+    (studies::text(answer), words.to_string(), page)
 }
 
 /// The mechanism of a model that a question gave.

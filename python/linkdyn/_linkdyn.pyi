@@ -33,6 +33,7 @@ __all__ = [
     "path_time",
     "quantity",
     "synthesise",
+    "workspace",
 ]
 __version__: str
 
@@ -205,6 +206,9 @@ def assemblies(model: Mechanism, at: float, most: int, take: int | None) -> _Sto
 def synthesise(model: Mechanism) -> _Stopped[_Told]: ...
 def circuits(
     model: Mechanism, driver: str | None, values: int | None, range: tuple[float, float] | None
+) -> _Stopped[_Told]: ...
+def workspace(
+    model: Mechanism, point: str, drivers: tuple[str, str] | None, values: int | None
 ) -> _Stopped[_Told]: ...
 def path_time(
     model: Mechanism,

@@ -385,6 +385,20 @@ class Model:
         """
         return read(whole(_linkdyn.circuits(self._core, driver, values, range)))
 
+    def workspace(self, point: str, drivers: tuple[str, str] | None = None, *, values: int | None = None) -> Answer:
+        """Where two drivers can stand, where assemblies meet, and where a point gets, as in ``workspace.json``.
+
+        :param point: a point of a body, ``coupler.P``.
+        :param drivers: both drivers; the only two where nothing is said.
+        :param values: values of each at which all assemblies are looked for; 49 where nothing is said.
+
+        >>> import linkdyn
+        >>> reach = linkdyn.load("excavator").workspace("bucket.tooth", ("lift", "crowd"), values=7)
+        >>> reach["drivers"], reach["complete"]
+        (['lift', 'crowd'], True)
+        """
+        return read(whole(_linkdyn.workspace(self._core, point, drivers, values)))
+
     def modes(self, *, pose: bool = False) -> Answer:
         """Natural frequencies, damping ratios and shapes of small motions, as in ``modes.json``.
 

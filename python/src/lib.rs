@@ -42,7 +42,7 @@ mod _linkdyn {
     #[pymodule_export]
     use super::questions::{
         Variants, accuracy, allocate, assemblies, bundled, check, circuits, compare, imported,
-        linearise, modes, optimise, path_time, quantity, synthesise,
+        linearise, modes, optimise, path_time, quantity, synthesise, workspace,
     };
     #[pymodule_export]
     use super::run::{Column, Run};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use linkdyn::ask::{
     Accuracy, Allocate, Assemblies, Check, Circuits, Compare, Levels, Method, Modes, Optimise,
-    PathTime, StateSpace, Study, Synthesise, Varied,
+    PathTime, Question, StateSpace, Study, Synthesise, Varied, Workspace,
 };
 use linkdyn::{Control, Error, bridge};
 use pyo3::exceptions::PyValueError;
@@ -45,6 +45,19 @@ fn asked<T: Send + 'static>(
     }
 }
 
+/// The answer to a question.
+fn answered<Q: Question + Send + 'static>(
+    py: Python<'_>,
+    model: &Mechanism,
+    question: Q,
+    told: fn(&Q::Answer) -> Told,
+) -> PyResult<Stopped<Option<Told>>> {
+    let mechanism = model.own();
+    asked(py, None, move |control| {
+        Ok(told(&mechanism.ask(&question, control)?))
+    })
+}
+
 fn levels(word: &str) -> Result<Levels, Error> {
     match word {
         "first" => Ok(Levels::First),
@@ -59,21 +72,17 @@ fn levels(word: &str) -> Result<Levels, Error> {
 /// The diagnosis.
 #[pyfunction]
 pub fn check(py: Python<'_>, model: &Mechanism) -> PyResult<Stopped<Option<Told>>> {
-    let mechanism = model.own();
-    asked(py, None, move |control| {
-        let found = mechanism.ask(&Check, control)?;
-        Ok((bridge::json(&found), bridge::words(found.text()), None))
+    answered(py, model, Check, |found| {
+        bridge::told(found, found.text(), None)
     })
 }
 
 /// The modes about the equilibrium, or the assembled position.
 #[pyfunction]
 pub fn modes(py: Python<'_>, model: &Mechanism, pose: bool) -> PyResult<Stopped<Option<Told>>> {
-    let mechanism = model.own();
-    asked(py, None, move |control| {
-        let found = mechanism.ask(&Modes { pose }, control)?;
+    answered(py, model, Modes { pose }, |found| {
         let page = found.html().and_then(Result::ok);
-        Ok((bridge::json(&found), bridge::words(found.text()), page))
+        bridge::told(found, found.text(), page)
     })
 }
 
@@ -95,7 +104,7 @@ pub fn assemblies(
         let taken = take.map(|number| found.drawn(number).map_err(Error::from));
         let taken = taken.transpose()?.map(bridge::mechanism).transpose()?;
         let page = found.html().and_then(Result::ok);
-        let told = (bridge::json(&found), bridge::words(found.text()), page);
+        let told = bridge::told(&found, found.text(), page);
         Ok((told, taken.map(Mechanism::of)))
     })
 }
@@ -103,11 +112,9 @@ pub fn assemblies(
 /// Linkages for the task of the file.
 #[pyfunction]
 pub fn synthesise(py: Python<'_>, model: &Mechanism) -> PyResult<Stopped<Option<Told>>> {
-    let mechanism = model.own();
-    asked(py, None, move |control| {
-        let found = mechanism.ask(&Synthesise, control)?;
+    answered(py, model, Synthesise, |found| {
         let page = found.html().and_then(Result::ok);
-        Ok((bridge::json(&found), bridge::words(found.text()), page))
+        bridge::told(found, found.text(), page)
     })
 }
 
@@ -120,17 +127,35 @@ pub fn circuits(
     values: Option<usize>,
     range: Option<[f64; 2]>,
 ) -> PyResult<Stopped<Option<Told>>> {
-    let mechanism = model.own();
     let question = Circuits {
         driver,
         values,
         range,
         most: None,
     };
-    asked(py, None, move |control| {
-        let found = mechanism.ask(&question, control)?;
+    answered(py, model, question, |found| {
         let page = found.html().and_then(Result::ok);
-        Ok((bridge::json(&found), bridge::words(found.text()), page))
+        bridge::told(found, found.text(), page)
+    })
+}
+
+/// The map of two drivers.
+#[pyfunction]
+pub fn workspace(
+    py: Python<'_>,
+    model: &Mechanism,
+    point: String,
+    drivers: Option<[String; 2]>,
+    values: Option<usize>,
+) -> PyResult<Stopped<Option<Told>>> {
+    let question = Workspace {
+        point,
+        drivers,
+        values,
+        most: None,
+    };
+    answered(py, model, question, |found| {
+        bridge::told(found, found.text(), found.html().ok())
     })
 }
 
@@ -144,7 +169,6 @@ pub fn linearise(
     pose: bool,
     at: Vec<f64>,
 ) -> PyResult<Stopped<Option<Told>>> {
-    let mechanism = model.own();
     let question = StateSpace {
         inputs,
         outputs,
@@ -152,9 +176,8 @@ pub fn linearise(
         at,
         frequencies: None,
     };
-    asked(py, None, move |control| {
-        let found = mechanism.ask(&question, control)?;
-        Ok((bridge::json(&found), bridge::words(found.text()), None))
+    answered(py, model, question, |found| {
+        bridge::told(found, found.text(), None)
     })
 }
 
@@ -176,7 +199,7 @@ pub fn accuracy(
         };
         let found = mechanism.ask(&question, control)?;
         let page = Some(found.html());
-        Ok((bridge::json(&found), bridge::words(found.text()), page))
+        Ok(bridge::told(&found, found.text(), page))
     })
 }
 
@@ -192,7 +215,7 @@ pub fn allocate(
     asked(py, None, move |control| {
         let found = mechanism.ask(&Allocate { outputs, squares }, control)?;
         let best = bridge::mechanism(found.model()?)?;
-        let told = (bridge::json(&found), bridge::words(found.text()), None);
+        let told = bridge::told(&found, found.text(), None);
         Ok((told, Mechanism::of(best)))
     })
 }
@@ -206,16 +229,13 @@ pub fn compare(
     models: Vec<String>,
     columns: Vec<String>,
 ) -> PyResult<Stopped<Option<Told>>> {
-    let mechanism = model.own();
     let question = Compare {
         joints,
         models,
         columns,
     };
-    asked(py, None, move |control| {
-        let found = mechanism.ask(&question, control)?;
-        let page = Some(found.html());
-        Ok((bridge::json(&found), bridge::words(found.text()), page))
+    answered(py, model, question, |found| {
+        bridge::told(found, found.text(), Some(found.html()))
     })
 }
 
@@ -252,7 +272,7 @@ pub fn optimise(
     asked(py, None, move |control| {
         let found = bridge::by_threads(threads, || mechanism.ask(&question, control))??;
         let best = found.model()?.map(bridge::mechanism).transpose()?;
-        let told = (bridge::json(&found), bridge::words(found.text()), None);
+        let told = bridge::told(&found, found.text(), None);
         Ok((told, found.failure(), best.map(Mechanism::of)))
     })
 }
@@ -289,7 +309,7 @@ pub fn path_time(
         let found = mechanism.ask(&question, control)?;
         let best = bridge::mechanism(found.model().clone())?;
         let page = found.html().ok();
-        let told = (bridge::json(&found), bridge::words(found.text()), page);
+        let told = bridge::told(&found, found.text(), page);
         Ok((told, Mechanism::of(best)))
     })
 }

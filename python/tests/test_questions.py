@@ -40,6 +40,15 @@ def test_linkages_are_those_of_the_command_and_are_loaded(tmp_path: Path) -> Non
         linkdyn.load("four-bar").synthesise()
 
 
+def test_a_workspace_is_that_of_the_command() -> None:
+    words = ["--workspace", "bucket.tooth", "--drivers", "lift,crowd", "--values", "9"]
+    said, _ = _linkdyn.command(["assemblies", "excavator", *words, "--json"])
+    answer = linkdyn.load("excavator").workspace("bucket.tooth", ("lift", "crowd"), values=9)
+    assert answer == json.loads(said.stdout) and answer.page
+    with pytest.raises(linkdyn.ModelError, match=r"bucket\.toot"):
+        linkdyn.load("excavator").workspace("bucket.toot", ("lift", "crowd"))
+
+
 def test_accuracy_is_that_of_the_command() -> None:
     said, _ = _linkdyn.command(["accuracy", "lock", "--levels", "first", "--json"])
     answer = linkdyn.load("lock").accuracy(levels="first", threads=2)

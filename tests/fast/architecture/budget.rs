@@ -53,8 +53,8 @@ const PARTS: &[Part] = &[
     part("web", &["crates/web/src", "web/bind/src"], "rs", 475),
     part("editor", &["web/src"], "ts", 2_215),
     part("validation", &["validation/src"], "rs", 8_580),
-    part("python", &["python/src"], "rs", 1_490),
-    part("python package", &["python/linkdyn"], "py", 2_325),
+    part("python", &["python/src"], "rs", 1_505),
+    part("python package", &["python/linkdyn"], "py", 2_330),
     part("tests", &["tests"], "rs", 52_400),
 ];
 
