@@ -81,9 +81,12 @@ fn four_positions_have_four_bars_and_slider_cranks() {
         .iter()
         .map(|angle| json!({ "point": KNOWN.point(*angle), "angle": KNOWN.angle(*angle) }))
         .collect();
-    let (found, told) = found(
-        json!({ "positions": positions, "linkages": ["four_bar", "slider_crank"], "most": 200 }),
-    );
+    let asked = |most: usize| {
+        found(
+            json!({ "positions": positions, "linkages": ["four_bar", "slider_crank"], "most": most }),
+        )
+    };
+    let (found, told) = asked(200);
     assert!(
         found.tried.iter().all(|own| own.good > 0),
         "{:?}",
@@ -95,6 +98,11 @@ fn four_positions_have_four_bars_and_slider_cranks() {
         (Some(KNOWN.point(angles[k])), Some(turned))
     };
     run_again(&told, &wanted, 1e-9);
+    // What is left out is counted.
+    let (_, few) = asked(3);
+    let all = |told: &Value| count(told) + told["more"].as_u64().expect("a count") as usize;
+    assert_eq!([count(&few), all(&few)], [3, all(&told)]);
+    assert_eq!(few["linkages"][0], told["linkages"][0]);
 }
 
 #[test]
@@ -217,6 +225,9 @@ fn twenty_points_are_fitted_and_limits_are_kept() {
     let what = json!({ "path": points, "pivots": { "x": [-0.5, 0.8], "y": [-0.5, 0.8] }, "lengths": [0.05, 0.6], "starts": 64, "transmission": 0.2 });
     let (_, told) = found(what);
     assert!(has(&told, &KNOWN, 1e-8), "{told:#}");
+    let left = |what: &str| told[what].as_u64().expect("a count") as usize;
+    let good = told["tried"][0]["good"].as_u64().expect("a count") as usize;
+    assert!(count(&told) + left("more") + left("further_off") <= good);
     for one in told["linkages"].as_array().expect("a list") {
         let own = FourBar::of(&one["model"]);
         for [x, y] in own.pivots {

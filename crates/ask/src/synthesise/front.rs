@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 const SAME: f64 = 1e-6;
 const ALIKE: f64 = 0.1;
 /// Errors larger than this times the least are too large.
-const WORSE: f64 = 5.0;
+pub const WORSE: f64 = 5.0;
 /// Errors below this part of the extent are none.
 const NO_ERROR: f64 = 1e-9;
 
@@ -31,8 +31,19 @@ fn costs(design: &FoundLinkage, problem: &LinkageTask) -> Vec<f64> {
     costs
 }
 
-/// The best designs, each once.
-pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) -> Vec<FoundLinkage> {
+/// The best designs, each once, and how many good ones are not among them.
+#[derive(Debug, Clone, Default)]
+pub struct Ranked {
+    /// The best one first.
+    pub designs: Vec<FoundLinkage>,
+    /// More than [`WORSE`] times as far off as the nearest.
+    pub further_off: usize,
+    /// More than were asked for.
+    pub more: usize,
+}
+
+/// The best designs.
+pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) -> Ranked {
     let mut own: Vec<(Vec<f64>, FoundLinkage)> = Vec::new();
     for design in designs {
         if !own
@@ -47,7 +58,9 @@ pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) ->
         .iter()
         .map(|(costs, _)| costs[0])
         .fold(f64::INFINITY, f64::min);
+    let all = own.len();
     own.retain(|(costs, _)| costs[0] <= WORSE * nearest);
+    let further_off = all - own.len();
     let beats = |a: &[f64], b: &[f64]| {
         let mut both = a.iter().zip(b);
         both.clone().all(|(a, b)| a <= b) && both.any(|(a, b)| a < b)
@@ -79,10 +92,10 @@ pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) ->
         .find(|order| *order != Ordering::Equal)
         .unwrap_or(Ordering::Equal)
     });
-    let sorted: Vec<FoundLinkage> = own.into_iter().map(|(_, design)| design).collect();
+    let more = own.len().saturating_sub(most);
     let mut kept: Vec<FoundLinkage> = Vec::new();
     let mut alike = Vec::new();
-    for design in sorted {
+    for (_, design) in own {
         // Of neighbours on a curve of linkages the best one stands for all, as long as there are others.
         let near = ALIKE * problem.size;
         match kept.iter().any(|other| same(other, &design, near)) {
@@ -93,7 +106,11 @@ pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) ->
     kept.truncate(most);
     let left = most - kept.len();
     kept.extend(alike.into_iter().take(left));
-    kept
+    Ranked {
+        designs: kept,
+        further_off,
+        more,
+    }
 }
 
 /// Whether both are one linkage, driven at one pivot; with its pins in another order too.

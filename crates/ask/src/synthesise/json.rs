@@ -47,6 +47,8 @@ struct SynthesisJson<'a> {
     complete: bool,
     interrupted: bool,
     tried: Vec<TriedJson<'a>>,
+    further_off: usize,
+    more: usize,
     linkages: Vec<LinkageJson<'a>>,
 }
 
@@ -97,7 +99,9 @@ impl Serialize for Synthesised {
             complete: !self.is_stopped && self.tried.iter().all(|own| own.is_complete),
             interrupted: self.is_stopped,
             tried: self.tried.iter().map(TriedJson::from).collect(),
-            linkages: self.designs.iter().map(design).collect(),
+            further_off: self.ranked.further_off,
+            more: self.ranked.more,
+            linkages: self.ranked.designs.iter().map(design).collect(),
         }
         .serialize(serializer)
     }

@@ -11,7 +11,7 @@ mod text;
 mod written;
 
 use crate::{ModelFile, Question, Unanswered};
-use front::ranked;
+use front::{Ranked, ranked};
 use judged::{Defect, FoundLinkage};
 use linkdyn_engine::analysis::Control;
 use problem::LinkageTask;
@@ -70,8 +70,7 @@ pub struct Synthesised {
     pub tried: Vec<Tried>,
     /// Whether it was stopped before all was tried.
     pub is_stopped: bool,
-    /// The best ones, the best first.
-    designs: Vec<FoundLinkage>,
+    ranked: Ranked,
 }
 
 impl Question for Synthesise {
@@ -86,12 +85,12 @@ impl Question for Synthesise {
         }
         let Fared { tried, designs } = all;
         let most = problem.asked.most.unwrap_or(MOST) as usize;
-        let designs = ranked(designs, &problem, most);
+        let ranked = ranked(designs, &problem, most);
         Ok(Synthesised {
             file: file.clone(),
             problem,
             tried,
-            designs,
+            ranked,
             is_stopped,
         })
     }
@@ -197,7 +196,7 @@ impl Tried {
 impl Synthesised {
     /// How many linkages there are.
     pub fn count(&self) -> usize {
-        self.designs.len()
+        self.ranked.designs.len()
     }
 
     /// The text of the model file of one of them, counted from 1.
@@ -205,9 +204,11 @@ impl Synthesised {
     /// # Errors
     /// Where there is none of that number.
     pub fn print(&self, number: usize) -> Result<String, Unanswered> {
-        let design = number.checked_sub(1).and_then(|k| self.designs.get(k));
+        let design = number
+            .checked_sub(1)
+            .and_then(|k| self.ranked.designs.get(k));
         let design = design.ok_or_else(|| {
-            let count = self.designs.len();
+            let count = self.count();
             Unanswered::question(format!("--take {number}: there are {count} linkages"))
         })?;
         Ok(format!("{:#}\n", design.model))

@@ -15,7 +15,7 @@ impl Synthesised {
     /// # Errors
     /// When a linkage can't be drawn.
     pub fn html(&self) -> Option<Result<String, Fault>> {
-        if self.designs.is_empty() {
+        if self.ranked.designs.is_empty() {
             return None;
         }
         let words = self.text().to_string();
@@ -24,6 +24,7 @@ impl Synthesised {
         if self.is_stopped {
             facts.push("interrupted: what was found until then".into());
         }
+        facts.extend(self.left_out().map(|left| format!("left out: {left}")));
         let found = self.tried.iter().flat_map(|own| {
             let kind = own.kind.replace('_', "-");
             let lines = own.lines(&self.problem).into_iter();
@@ -31,6 +32,7 @@ impl Synthesised {
         });
         let found: Vec<String> = found.collect();
         let films: Option<Vec<Result<MovingMechanism, Fault>>> = self
+            .ranked
             .designs
             .iter()
             .zip(1..)

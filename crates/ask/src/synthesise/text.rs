@@ -1,5 +1,6 @@
 //! The linkages in words.
 
+use super::front::{Ranked, WORSE};
 use super::problem::{Goal, LinkageTask};
 use super::search::SearchCounts;
 use super::{Synthesised, Tried};
@@ -17,7 +18,7 @@ impl Synthesised {
             Goal::Motion => count(wanted.len(), "position"),
             Goal::Function => count(wanted.len(), "pair") + " of angles",
         };
-        let found = match self.designs.len() {
+        let found = match self.count() {
             0 => "no linkage".to_owned(),
             several => count(several, "linkage"),
         };
@@ -29,12 +30,26 @@ impl Synthesised {
             page.row("interrupted", "what was found until then");
         }
         page.rows("linkages", self.table());
+        page.rows("left out", self.left_out());
         page
+    }
+
+    /// Good ones that are not listed.
+    pub(super) fn left_out(&self) -> Option<String> {
+        let Ranked {
+            further_off, more, ..
+        } = self.ranked;
+        let further = format!("{further_off} more than {WORSE} times as far off as the nearest");
+        let beyond = format!("{more} beyond the number that \"most\" keeps");
+        let all = [(further_off, further), (more, beyond)];
+        let some = all.into_iter().filter(|(count, _)| *count > 0);
+        let some: Vec<String> = some.map(|(_, words)| words).collect();
+        (!some.is_empty()).then(|| some.join("; "))
     }
 
     /// A row for each.
     fn table(&self) -> Vec<String> {
-        if self.designs.is_empty() {
+        if self.ranked.designs.is_empty() {
             return Vec::new();
         }
         let display = &self.problem.display;
@@ -51,7 +66,7 @@ impl Synthesised {
         ];
         let mut table = Table::new(2, heads.map(|head| (Side::Left, head.len())));
         table.row(heads);
-        for (own, row) in self.designs.iter().zip(1..) {
+        for (own, row) in self.ranked.designs.iter().zip(1..) {
             let off = own.off.map(|off| display.length_to(off, 2));
             let off_angle = own.off_angle.map(|off| display.angle_to(off, 2));
             let off: Vec<String> = off.into_iter().chain(off_angle).collect();
