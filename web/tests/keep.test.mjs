@@ -16,7 +16,10 @@ test("a file that is opened and saved without an edit has the same bytes", async
   const directory = mkdtempSync(join(tmpdir(), "editor-"));
   for (const [k, text] of odd.entries()) {
     writeFileSync(join(directory, `${k}.json`), text);
+    const before = await it.text();
     await it.page.setInputFiles("#chosen", join(directory, `${k}.json`));
+    // The browser reads the file when it likes.
+    await it.page.waitForFunction((before) => window.editor.doc.text !== before, before);
     await it.idle();
     assert.equal(await it.text(), text);
   }
