@@ -4,10 +4,12 @@
 //! where it can't, there are no residuals, and the search takes a shorter step. Derivatives are those of the closed linkage (implicit
 //! function theorem).
 
+use crate::keep::{Kept, Residual};
 use crate::linkage::{Linkage, Places};
 use linkdyn_linear::bilinear::Number;
 use linkdyn_optimise::least_squares::{Fitted, Settings, least_squares};
 use linkdyn_optimise::outcome::{Bounds, Evaluate, Outcome};
+use nalgebra::DMatrix;
 use std::f64::consts::TAU;
 
 /// What is wanted at one position.
@@ -39,6 +41,8 @@ pub struct Limits {
     pub directions: Vec<(usize, f64)>,
     /// The length that counts as much as a radian.
     pub length: f64,
+    /// What a search keeps.
+    pub kept: Option<Kept>,
 }
 
 /// What a search found.
@@ -121,12 +125,42 @@ impl Search<'_> {
                 rows.push(off - TAU * (off / TAU).round());
             }
         }
-        for (body, direction) in &self.limits.directions {
-            let arm = arm(linkage, *body)
-                .map(|[from, to]| (Number::from_polar(1.0, -direction) * (to - from)).im);
-            rows.push(arm.unwrap_or(0.0) / self.limits.length);
+        let drawn = self.drawn(linkage).into_iter();
+        rows.extend(drawn.map(|own| own.value / self.limits.length));
+        for places in all {
+            rows.extend(
+                self.transmission(linkage, places)
+                    .iter()
+                    .map(|own| own.value),
+            );
         }
         rows
+    }
+
+    /// What is to be kept of a drawing, as lengths.
+    fn drawn(&self, linkage: &Linkage) -> Vec<Residual> {
+        let directions = self.limits.directions.iter();
+        let lengths = self.limits.kept.map(|kept| kept.lengths);
+        let lengths = lengths.map(|own| Residual::of_lengths(linkage, own));
+        directions
+            .map(|(body, direction)| Residual::of_direction(linkage, *body, *direction))
+            .chain(lengths.into_iter().flatten())
+            .collect()
+    }
+
+    /// What is to be kept at a place.
+    fn transmission(&self, linkage: &Linkage, places: &Places) -> Vec<Residual> {
+        let least = self.limits.kept.and_then(|kept| kept.transmission);
+        least.map_or(Vec::new(), |least| {
+            Residual::of_transmission(linkage, places, least)
+        })
+    }
+
+    /// How many residuals are those of what is wanted.
+    fn wanted_rows(&self) -> usize {
+        let of =
+            |own: &Wanted| 2 * usize::from(own.point.is_some()) + usize::from(own.angle.is_some());
+        self.wanted.iter().map(of).sum::<usize>() + self.limits.directions.len()
     }
 }
 
@@ -138,20 +172,6 @@ fn angles(linkage: &Linkage) -> Vec<bool> {
     };
     let joints = linkage.joints.iter().flat_map(of);
     joints.chain([false; 2]).collect()
-}
-
-/// The numbers of the joints of a body: that to the ground, and the next.
-fn arm_joints(linkage: &Linkage, body: usize) -> Option<[usize; 2]> {
-    let joints = linkage.joints.iter().enumerate();
-    let mut own = joints.filter(|(_, joint)| joint.bodies.contains(&body) && joint.pin().is_some());
-    let ground = own.clone().find(|(_, joint)| joint.bodies.contains(&0))?.0;
-    let other = own.find(|(k, _)| *k != ground)?.0;
-    Some([ground, other])
-}
-
-fn arm(linkage: &Linkage, body: usize) -> Option<[Number; 2]> {
-    let [a, b] = arm_joints(linkage, body)?;
-    Some([linkage.joints[a].pin()?, linkage.joints[b].pin()?])
 }
 
 impl Evaluate for Search<'_> {
@@ -178,9 +198,14 @@ impl Evaluate for Search<'_> {
         let count = x.len();
         let is_angle = angles(&linkage);
         let length = self.limits.length;
+        let slopes = all.iter().zip(&turns);
+        let slopes: Option<Vec<DMatrix<f64>>> = slopes
+            .map(|(places, turn)| linkage.slopes(places, *turn))
+            .collect();
+        let slopes = slopes?;
         let mut rows = Vec::new();
-        for (j, ((wanted, places), turn)) in self.wanted.iter().zip(&all).zip(&turns).enumerate() {
-            let by = linkage.slopes(places, *turn)?;
+        for (j, (wanted, places)) in self.wanted.iter().zip(&all).enumerate() {
+            let by = &slopes[j];
             let own = linkage.position(places, linkage.output);
             let k = 3 * linkage.output - 3;
             // The output's point and angle by a dimension, the last two of which move the point itself, and behind them the crank's angle.
@@ -213,26 +238,50 @@ impl Evaluate for Search<'_> {
                 rows.extend(row.iter().map(|(_, angle)| *angle));
             }
         }
-        for (body, direction) in &self.limits.directions {
-            let joints = arm_joints(&linkage, *body);
-            let back = Number::from_polar(1.0, -direction);
-            rows.extend((0..count).map(|at| {
-                let Some((column, [from, to])) = self.free.get(at).zip(joints) else {
-                    return 0.0;
+        // Numbers of the first dimensions of joints.
+        let firsts: Vec<usize> = linkage
+            .joints
+            .iter()
+            .scan(0, |next, joint| {
+                let own = *next;
+                *next += if joint.pin().is_some() { 2 } else { 1 };
+                Some(own)
+            })
+            .collect();
+        // By a dimension, or by a crank's angle, of which all but that of its own position change nothing.
+        let row = |own: &Residual, by: Option<(&DMatrix<f64>, usize)>| -> Vec<f64> {
+            let angle = |column: usize| {
+                let turned = by.iter().flat_map(|(by, _)| {
+                    let bodies = own.by_bodies.iter();
+                    bodies.map(|(body, weight)| weight * by[(3 * body - 1, column)])
+                });
+                turned.sum::<f64>()
+            };
+            let pin = |column: usize| {
+                let of = |(joint, by): &(usize, Number)| match column.checked_sub(firsts[*joint]) {
+                    Some(0) => by.re,
+                    Some(1) => by.im,
+                    _ => 0.0,
                 };
-                let part = |joint: usize| -> f64 {
-                    let first: usize = linkage.joints[..joint]
-                        .iter()
-                        .map(|own| if own.pin().is_some() { 2 } else { 1 })
-                        .sum();
-                    match column.checked_sub(first) {
-                        Some(0) => back.im,
-                        Some(1) => back.re,
-                        _ => 0.0,
-                    }
-                };
-                part(to) - part(from)
-            }));
+                own.by_pins.iter().map(of).sum::<f64>()
+            };
+            let free = self.free.iter().map(|column| {
+                let scale = if is_angle[*column] { 1.0 } else { length };
+                (pin(*column) + angle(*column)) * scale
+            });
+            let open = self.open.iter().map(|place| match by {
+                Some((_, at)) if at == *place => angle(is_angle.len()),
+                _ => 0.0,
+            });
+            free.chain(open).collect()
+        };
+        for own in self.drawn(&linkage) {
+            rows.extend(row(&own, None).iter().map(|slope| slope / length));
+        }
+        for (j, (places, by)) in all.iter().zip(&slopes).enumerate() {
+            for own in self.transmission(&linkage, places) {
+                rows.extend(row(&own, Some((by, j))));
+            }
         }
         Some(rows)
     }
@@ -278,7 +327,7 @@ fn prepared<'s>(
     (search, Bounds::new(&ranges), start)
 }
 
-/// Root mean square of what is left at a candidate, as [`Found::rms`]; `None` where it does not pass all positions in one motion.
+/// Root mean square of what is left at a candidate, and of what it does not keep; `None` where it does not pass all positions in one motion.
 pub fn distance(of: &Candidate, wanted: &[Wanted], limits: &Limits) -> Option<f64> {
     let (mut search, bounds, mut start) = prepared(of, wanted, limits, &|| false);
     bounds.clamp(&mut start);
@@ -298,21 +347,81 @@ pub fn fit(
     stop: &dyn Fn() -> bool,
 ) -> Option<Found> {
     let (mut search, bounds, start) = prepared(from, wanted, limits, stop);
-    let rows = wanted
-        .iter()
-        .map(|own| 2 * usize::from(own.point.is_some()) + usize::from(own.angle.is_some()));
-    let rows = (rows.sum::<usize>() + limits.directions.len()) as f64;
+    let rows = search.wanted_rows();
     let settings = Settings {
         trial: TRIAL,
-        hopeful: HOPEFUL * rows.sqrt(),
+        hopeful: HOPEFUL * (rows as f64).sqrt(),
         ..Settings::default()
     };
     let Fitted { x, residuals, .. } = least_squares(&mut search, &bounds, &start, &settings);
     (!residuals.is_empty()).then(|| Found {
-        rms: rms(&residuals),
+        rms: rms(&residuals[..rows]),
         candidate: Candidate {
             linkage: search.linkage(&x),
             turns: search.turns(&x),
         },
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linkage::{Joint, Kind};
+
+    #[test]
+    fn slopes_are_those_of_differences() {
+        let pins = [[0.2, -0.1], [1.1, 0.2], [1.8, 2.9], [3.2, 0.4]];
+        let bodies = [[0, 1], [1, 2], [2, 3], [3, 0]];
+        let joints = pins.iter().zip(bodies).map(|([x, y], bodies)| Joint {
+            bodies,
+            kind: Kind::Pin(Number::new(*x, *y)),
+        });
+        let linkage = Linkage {
+            bodies: 4,
+            joints: joints.collect(),
+            crank: 1,
+            output: 2,
+            point: Number::new(1.0, 1.6),
+        };
+        let wanted = [0.9, 1.2, 0.4].map(|x| Wanted {
+            point: Some(Number::new(x, 1.5)),
+            angle: Some(0.2 * x),
+            ..Wanted::default()
+        });
+        let limits = Limits {
+            dimensions: linkage
+                .dimensions()
+                .iter()
+                .map(|d| [d - 1.0, d + 1.0])
+                .collect(),
+            directions: vec![(1, 0.4)],
+            length: 2.5,
+            kept: Some(Kept {
+                lengths: [1.1, 2.0],
+                transmission: Some(1.5),
+            }),
+        };
+        let from = Candidate {
+            linkage,
+            turns: vec![0.0, 0.4, 0.9],
+        };
+        let (mut search, _, start) = prepared(&from, &wanted, &limits, &|| false);
+        let slopes = search.slopes(&start).expect("closed");
+        let step = 1e-6;
+        let mut at = |k: usize, by: f64| {
+            let mut x = start.clone();
+            x[k] += by;
+            search.values(&x).values().expect("closed")
+        };
+        for k in 0..start.len() {
+            let (there, back) = (at(k, step), at(k, -step));
+            for (row, (a, b)) in there.iter().zip(&back).enumerate() {
+                let (own, by) = (slopes[row * start.len() + k], (a - b) / (2.0 * step));
+                assert!(
+                    (own - by).abs() < 1e-6 * (1.0 + by.abs()),
+                    "row {row} by {k}: {own} for {by}"
+                );
+            }
+        }
+    }
 }

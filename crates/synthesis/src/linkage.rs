@@ -103,6 +103,20 @@ impl Linkage {
         new
     }
 
+    /// The body to which motion is transmitted: the output on the ground, or else another body there; and its pins but that to the ground.
+    pub fn transmitted(&self) -> Option<(usize, Vec<usize>)> {
+        let on_ground = |body: &usize| {
+            let mut joints = self.joints.iter();
+            *body != self.crank
+                && joints.any(|own| own.bodies.contains(body) && own.bodies.contains(&0))
+        };
+        let last = (1..self.bodies).filter(on_ground);
+        let last = last.max_by_key(|body| *body == self.output)?;
+        let joints = self.joints.iter().enumerate();
+        let own = joints.filter(|(_, own)| own.bodies.contains(&last) && !own.bodies.contains(&0));
+        Some((last, own.map(|(k, _)| k).collect()))
+    }
+
     /// All bodies as they are drawn.
     pub fn first(&self) -> Places {
         Places::zeros(3 * (self.bodies - 1))

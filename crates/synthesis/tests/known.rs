@@ -3,7 +3,8 @@
 use linkdyn_linear::bilinear::{Number, Random};
 use linkdyn_synthesis::dyad::{Dyad, Position, guide, links, links_on_line};
 use linkdyn_synthesis::fit::{Candidate, Limits, Wanted, fit};
-use linkdyn_synthesis::linkage::{Joint, Kind, Linkage};
+use linkdyn_synthesis::keep::{Kept, Residual};
+use linkdyn_synthesis::linkage::{Joint, Kind, Linkage, Places};
 use linkdyn_synthesis::path::{CURVES, stored, through_nine};
 
 /// A closed form: the pin of a coupler of length c and a rocker of length l, on the left of the line from crank to rocker pivot.
@@ -199,6 +200,7 @@ fn limits(linkage: &Linkage, room: f64) -> Limits {
             .collect(),
         directions: Vec::new(),
         length: 3.0,
+        kept: None,
     }
 }
 
@@ -234,6 +236,128 @@ fn a_fit_comes_back_to_a_linkage_from_one_near_it() {
         .map(|(a, b)| (a - b).abs())
         .fold(0.0, f64::max);
     assert!(apart < 1e-8, "{apart:e}");
+}
+
+/// Values of residuals of the same number.
+fn values(of: &[Residual]) -> Vec<f64> {
+    of.iter().map(|own| own.value).collect()
+}
+
+#[test]
+fn what_is_kept_changes_with_pins_and_bodies_as_differences_say() {
+    let linkage = KNOWN.linkage(0.3);
+    let places = linkage.led(linkage.first(), 0.0, 0.8).expect("closed");
+    let of = |linkage: &Linkage, places: &Places| -> Vec<Residual> {
+        let mut all = vec![Residual::of_direction(linkage, linkage.crank, 1.1)];
+        all.extend(Residual::of_lengths(linkage, [0.9, 1.7]));
+        all.extend(Residual::of_transmission(linkage, places, 1.5));
+        all
+    };
+    let all = of(&linkage, &places);
+    assert!(
+        values(&all).iter().filter(|v| v.abs() > 1e-3).count() >= 4,
+        "{all:?}"
+    );
+    let step = 1e-6;
+    let check = |slope: &dyn Fn(&Residual) -> f64, moved: &dyn Fn(f64) -> Vec<f64>| {
+        for ((own, there), back) in all.iter().zip(moved(step)).zip(moved(-step)) {
+            let by = (there - back) / (2.0 * step);
+            assert!(
+                (slope(own) - by).abs() < 1e-7 * (1.0 + by.abs()),
+                "{own:?}: {by}"
+            );
+        }
+    };
+    for pin in 0..4 {
+        for (axis, direction) in [Number::new(1.0, 0.0), Number::i()].into_iter().enumerate() {
+            let slope = |own: &Residual| -> f64 {
+                let here = own.by_pins.iter().filter(|(k, _)| *k == pin);
+                here.map(|(_, by)| [by.re, by.im][axis]).sum()
+            };
+            check(&slope, &|by| {
+                let mut other = linkage.clone();
+                let at = other.joints[pin].pin().expect("a pin");
+                other.joints[pin].kind = Kind::Pin(at + direction * by);
+                values(&of(&other, &places))
+            });
+        }
+    }
+    for body in 1..4 {
+        let slope = |own: &Residual| -> f64 {
+            let here = own.by_bodies.iter().filter(|(k, _)| *k == body);
+            here.map(|(_, by)| by).sum()
+        };
+        check(&slope, &|by| {
+            let mut other = places.clone();
+            other[3 * body - 1] += by;
+            values(&of(&linkage, &other))
+        });
+    }
+}
+
+#[test]
+fn a_fit_keeps_lengths_and_the_angle_of_transmission() {
+    // Four points leave dimensions free, so that some linkage passes them and keeps the limits as well.
+    let wanted: Vec<Wanted> = (0..4)
+        .map(|k| Wanted {
+            point: Some(KNOWN.pins(0.3 + 0.4 * f64::from(k))[2]),
+            ..Wanted::default()
+        })
+        .collect();
+    let turns = (0..4).map(|k| 0.4 * f64::from(k)).collect();
+    let linkage = KNOWN.linkage(0.3);
+    let from = Candidate { linkage, turns };
+    let least = |of: &Candidate| -> f64 {
+        let linkage = &of.linkage;
+        let (mut places, mut at, mut least) = (linkage.first(), 0.0, f64::INFINITY);
+        for turn in &of.turns {
+            places = linkage.led(places, at, *turn).expect("closed");
+            at = *turn;
+            let place = |body: usize, pin: usize| {
+                let at = linkage.joints[pin].pin().expect("a pin");
+                linkage.position(&places, body).of(at)
+            };
+            let (a, b, pivot) = (place(1, 1), place(2, 2), place(0, 3));
+            let angle = ((a - b) / (pivot - b)).arg().abs();
+            least = least.min(angle.min(std::f64::consts::PI - angle));
+        }
+        least
+    };
+    let longest = |of: &Candidate| {
+        let pin = |k: usize| of.linkage.joints[k].pin().expect("a pin");
+        (0..3)
+            .map(|k| (pin(k) - pin(k + 1)).norm())
+            .fold(0.0, f64::max)
+    };
+    let (far, near) = (longest(&from), least(&from));
+    for (part, more) in [(0.9, None), (1.02, Some(0.2))] {
+        let kept = Limits {
+            kept: Some(Kept {
+                lengths: [0.01, part * far],
+                transmission: more.map(|more| near + more),
+            }),
+            ..limits(&from.linkage, 3.0)
+        };
+        let mut random = Random::new(2);
+        let exact = (0..12).filter_map(|_| {
+            let dimensions = from.linkage.dimensions();
+            let off: Vec<f64> = dimensions
+                .iter()
+                .map(|d| d + 0.3 * random.turn().re)
+                .collect();
+            let start = Candidate {
+                linkage: from.linkage.with(&off),
+                ..from.clone()
+            };
+            fit(&start, &wanted, &kept, &|| false).filter(|found| found.rms < 1e-12)
+        });
+        let exact: Vec<Candidate> = exact.map(|found| found.candidate).collect();
+        assert!(exact.len() >= 3, "{} of 12", exact.len());
+        for own in &exact {
+            assert!(longest(own) <= part * far);
+            assert!(more.is_none_or(|more| least(own) >= near + more));
+        }
+    }
 }
 
 #[test]

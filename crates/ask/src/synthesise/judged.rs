@@ -10,7 +10,7 @@ use linkdyn_engine::analysis::{
 };
 use linkdyn_linear::bilinear::Number;
 use linkdyn_model::FileAccess;
-use linkdyn_synthesis::fit::{Candidate, fit};
+use linkdyn_synthesis::fit::{Candidate, Limits, fit};
 use linkdyn_synthesis::linkage::{Linkage, Places};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
@@ -96,12 +96,11 @@ impl LinkageTask {
             return Err(self.apart(&candidate, control));
         }
         // The last digits.
-        let found = fit(
-            &candidate,
-            &self.wanted,
-            &self.limits(&candidate.linkage),
-            &|| false,
-        );
+        let limits = Limits {
+            kept: None,
+            ..self.limits(&candidate.linkage)
+        };
+        let found = fit(&candidate, &self.wanted, &limits, &|| false);
         if let Some(found) = found.filter(|found| found.rms < EXACT) {
             candidate = found.candidate;
         }

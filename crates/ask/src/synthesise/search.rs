@@ -10,6 +10,7 @@ use linkdyn_synthesis::fit::{Candidate, Limits, Wanted, distance, fit};
 use linkdyn_synthesis::four_bar::{
     Passing, freudenstein, function_four_bar, relative, slider_crank,
 };
+use linkdyn_synthesis::keep::Kept;
 use linkdyn_synthesis::linkage::{Joint, Kind, Linkage};
 use linkdyn_synthesis::path::{CURVES, POINTS, through_nine};
 use rayon::prelude::*;
@@ -622,6 +623,10 @@ impl LinkageTask {
             dimensions,
             directions,
             length: self.size,
+            kept: Some(Kept {
+                lengths: self.lengths,
+                transmission: self.asked.transmission,
+            }),
         }
     }
 

@@ -53,21 +53,6 @@ fn letter(number: usize) -> String {
     }
 }
 
-/// The body to which motion is transmitted: the output on the ground, or else another body there, and its pins but that to the ground.
-fn transmitted(linkage: &Linkage) -> Option<(usize, Vec<usize>)> {
-    let on_ground = |body: usize| {
-        let mut joints = linkage.joints.iter();
-        body != linkage.crank
-            && body > 0
-            && joints.any(|own| own.bodies.contains(&body) && own.bodies.contains(&0))
-    };
-    let last = (1..linkage.bodies).filter(|body| on_ground(*body));
-    let last = last.max_by_key(|body| *body == linkage.output)?;
-    let joints = linkage.joints.iter().enumerate();
-    let own = joints.filter(|(_, own)| own.bodies.contains(&last) && !own.bodies.contains(&0));
-    Some((last, own.map(|(k, _)| k).collect()))
-}
-
 /// What writes numbers in the units of the task, and gathers parameters.
 struct Writer<'w> {
     length: &'w Shown,
@@ -193,7 +178,7 @@ pub fn document(
     });
     let mut responses = Map::new();
     let mut transmission = Vec::new();
-    if let Some((last, pins)) = transmitted(linkage) {
+    if let Some((last, pins)) = linkage.transmitted() {
         analysis["transmission"] = json!({ "output": names[last] });
         for pin in pins {
             let name = format!("transmission_{}", letter(pin));
