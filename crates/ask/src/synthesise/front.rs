@@ -81,16 +81,17 @@ pub fn ranked(designs: Vec<FoundLinkage>, problem: &LinkageTask, most: usize) ->
     }
     own.sort_by(|(a, one), (b, other)| {
         let fronts = one.front.cmp(&other.front);
-        // Errors are within a small factor of each other; what a small angle of transmission breaks, no accuracy mends.
-        [
-            fronts,
-            a[1].total_cmp(&b[1]),
-            a[0].total_cmp(&b[0]),
-            a[2].total_cmp(&b[2]),
-        ]
-        .into_iter()
-        .find(|order| *order != Ordering::Equal)
-        .unwrap_or(Ordering::Equal)
+        // Errors are within a small factor of each other; what a small angle of transmission breaks, no accuracy mends. Where there is a
+        // least angle, all of them are large enough.
+        let [first, second] = match problem.asked.transmission {
+            None => [1, 0],
+            Some(_) => [0, 1],
+        };
+        let by = |k: usize| a[k].total_cmp(&b[k]);
+        [fronts, by(first), by(second), by(2)]
+            .into_iter()
+            .find(|order| *order != Ordering::Equal)
+            .unwrap_or(Ordering::Equal)
     });
     let more = own.len().saturating_sub(most);
     let mut kept: Vec<FoundLinkage> = Vec::new();
