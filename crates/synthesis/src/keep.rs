@@ -2,7 +2,7 @@
 //! angle of transmission.
 //!
 //! Lengths and angles are limited from one side, so that least squares stops a little outside a limit that is in its way. Therefore it
-//! aims [`MARGIN`] inside, with [`WEIGHT`] times the weight of what is wanted.
+//! aims a little inside, with a large weight.
 
 use crate::linkage::{Linkage, Places};
 use linkdyn_linear::bilinear::Number;

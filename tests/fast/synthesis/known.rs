@@ -242,6 +242,111 @@ fn twenty_points_are_fitted_and_limits_are_kept() {
     }
 }
 
+/// Sum of squared distances of a four-bar's point from points, on the better side.
+fn squares(own: FourBar, angles: &[f64], points: &[Place]) -> f64 {
+    let of = |side: f64| -> f64 {
+        let own = FourBar { side, ..own };
+        let all = angles.iter().zip(points).map(|(angle, point)| {
+            let off = own.pins(*angle).map(|pins| length(minus(pins[2], *point)));
+            off.map_or(f64::INFINITY, |off| off * off)
+        });
+        all.sum()
+    };
+    of(1.0).min(of(-1.0))
+}
+
+/// Path problems of Acharyya and Mandal (Mechanism and Machine Theory 44, 2009): 18 points with the crank's angles, and ten points. Held
+/// against the best four-bars of several evolutionary methods, as Nguyen-Van and Gwak (Symmetry 14, 381, 2022) give their dimensions.
+#[test]
+fn path_problems_are_solved_no_worse_than_published() {
+    let published = |[ground, crank, coupler, rocker, u, v, x, y, turn]: [f64; 9]| FourBar {
+        pivots: [[x, y], plus([x, y], polar(ground, turn))],
+        crank,
+        coupler,
+        rocker,
+        point: [u, v],
+        side: 1.0,
+    };
+    let timed: Vec<Place> = vec![
+        [0.5, 1.1],
+        [0.4, 1.1],
+        [0.3, 1.1],
+        [0.2, 1.0],
+        [0.1, 0.9],
+        [0.05, 0.75],
+        [0.02, 0.6],
+        [0.0, 0.5],
+        [0.0, 0.4],
+        [0.03, 0.3],
+        [0.1, 0.25],
+        [0.15, 0.2],
+        [0.2, 0.3],
+        [0.3, 0.4],
+        [0.4, 0.5],
+        [0.5, 0.7],
+        [0.6, 0.9],
+        [0.6, 1.0],
+    ];
+    let round: Vec<Place> = (0..10)
+        .map(|k| plus([10.0, 10.0], polar(1.0, TAU * f64::from(k) / 9.0)))
+        .map(|[x, y]| [10.0 * (x - 9.0), 10.0 + 8.0 * (y - 10.0)])
+        .collect();
+    let steps: Vec<f64> = (0..18).map(|k| TAU / 18.0 * f64::from(k)).collect();
+    let best_timed = (
+        published([
+            4.453772, 0.297057, 3.913095, 0.849372, -2.067338, 1.6610626, -1.309243, 2.806964,
+            2.7387359,
+        ]),
+        steps
+            .iter()
+            .map(|step| 2.7387359 + 4.853543 + step)
+            .collect::<Vec<f64>>(),
+    );
+    let best_round = (
+        published([
+            80.0, 8.045662, 50.81902, 42.20801, -10.63697, -2.29109, 8.49481, -0.757968, 3.88921,
+        ]),
+        [
+            2.449437, 3.153969, 3.837114, 4.520171, 5.204799, 5.898536, 0.316204, 1.023555,
+            1.738992, 2.449437,
+        ]
+        .map(|angle| 3.88921 + angle)
+        .to_vec(),
+    );
+    let cases = [
+        (
+            &timed,
+            best_timed,
+            0.0195,
+            json!({ "path": timed, "crank": steps, "lengths": [0.05, 50], "starts": 48 }),
+        ),
+        (
+            &round,
+            best_round,
+            5e-4,
+            json!({ "path": round, "lengths": [0.1, 80], "starts": 100 }),
+        ),
+    ];
+    for (points, (own, angles), known, mut what) in cases {
+        let theirs = squares(own, &angles, points);
+        assert!(theirs > 0.5 * known && theirs < known, "{theirs:e}");
+        what["pivots"] = json!({ "x": [-80, 80], "y": [-80, 80] });
+        let (_, told) = found(what);
+        let all = told["linkages"].as_array().expect("a list").iter();
+        let ours = all.map(|one| {
+            let start = one["model"]["drivers"]["motor"]["motion"]["start"].as_str();
+            let start = start.and_then(|text| text.strip_suffix(" deg"));
+            let start: f64 = start.expect("degrees").parse().expect("a number");
+            let turns: Vec<f64> = serde_json::from_value(one["crank"].clone()).expect("angles");
+            let angles: Vec<f64> = turns.iter().map(|turn| start.to_radians() + turn).collect();
+            squares(FourBar::of(&one["model"]), &angles, points)
+        });
+        let ours = ours.fold(f64::INFINITY, f64::min);
+        println!("{ours:.3e}, published {theirs:.3e}");
+        assert!(ours < theirs, "{ours:e} {theirs:e}");
+    }
+}
+
 #[test]
 fn the_angle_of_transmission_and_the_effort_are_those_of_the_law_of_cosines() {
     let angles: Vec<f64> = (0..9).map(|k| 0.3 + 0.65 * f64::from(k)).collect();
