@@ -49,17 +49,14 @@ impl Synthesised {
         let shape = with_profiles(file.model());
         let bodies = shape.bodies.len() - 1;
         let step = times.len().div_ceil(MOST_ROWS).max(1);
-        let rows: Vec<Vec<Pose>> = (0..times.len())
-            .step_by(step)
-            .map(|row| {
-                let own = poses[3 * bodies * row..3 * bodies * (row + 1)].chunks_exact(3);
-                let own = own.map(|own| [own[0], own[1], own[2]]);
-                std::iter::once([0.0; 3]).chain(own).collect()
-            })
-            .collect();
-        let path = rows
-            .iter()
-            .filter_map(|row| place(&shape, row, &design.point));
+        let row = |row: usize| -> Vec<Pose> {
+            let own = poses[3 * bodies * row..3 * bodies * (row + 1)].chunks_exact(3);
+            let own = own.map(|own| [own[0], own[1], own[2]]);
+            std::iter::once([0.0; 3]).chain(own).collect()
+        };
+        let rows: Vec<Vec<Pose>> = (0..times.len()).step_by(step).map(row).collect();
+        // Of all instants, so that narrow turns of the path are seen.
+        let path = (0..times.len()).filter_map(|at| place(&shape, &row(at), &design.point));
         let path = path.collect();
         let display = &self.problem.display;
         let mut texts = vec![format!("{number}: {}", design.kind.replace('_', "-"))];
