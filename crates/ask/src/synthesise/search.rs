@@ -213,7 +213,7 @@ impl LinkageTask {
                     .iter()
                     .map(|dyads| Passing::through(*dyads, &points));
                 let mut notes = vec![format!(
-                    "{} coupler curves in complex numbers of {CURVES}, {} four-bars are real, each with its two cognates",
+                    "{} coupler curves in complex numbers of {CURVES}, {} four-bars are real, cognates included",
                     paths.complex,
                     paths.found.len()
                 )];
