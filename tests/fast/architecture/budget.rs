@@ -42,7 +42,7 @@ const PARTS: &[Part] = &[
         4_445,
     ),
     part("ask", &["crates/ask/src"], "rs", 14_360),
-    part("synthesis", &["crates/synthesis/src"], "rs", 1_680),
+    part("synthesis", &["crates/synthesis/src"], "rs", 1_700),
     part("exchange", &["crates/exchange/src"], "rs", 11_420),
     part("fmi", &["crates/fmi/src"], "rs", 1_845),
     part("output", &["crates/output/src"], "rs", 2_180),

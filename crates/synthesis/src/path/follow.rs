@@ -13,6 +13,8 @@ const NEAR: f64 = 1e-4;
 const FASTER: f64 = 0.1;
 /// Corrections as small as this need not become smaller: round-off of the equations where they are badly conditioned.
 const NOISE: f64 = 1e-8;
+/// Corrections after which there is no other: what is left is their square. The slope is that before the last one.
+const ENOUGH: f64 = 1e-7;
 /// Corrections below this part of the size are round-off.
 const ROUND_OFF: f64 = 1e-13;
 /// Largest and smallest step.
@@ -103,18 +105,27 @@ fn rows(z: &Column, points: &Displacements, change: Option<&Displacements>) -> P
     all
 }
 
-/// Newton's correction at some points, and its size by that of the unknowns.
-fn correction(z: &Column, points: &Displacements) -> Option<(Column, f64)> {
-    let rows = rows(z, points, None);
-    let step = rows.jacobian.lu().solve(&rows.values)?;
-    let size = step.norm() / z.norm();
-    size.is_finite().then_some((step, size))
+/// Newton's correction, its size by that of the unknowns, and how the root moves with the points, dz/ds.
+struct Correction {
+    step: Column,
+    size: f64,
+    slope: Column,
 }
 
-/// dz/ds.
-fn tangent(z: &Column, points: &Displacements, change: &Displacements) -> Option<Column> {
-    let rows = rows(z, points, Some(change));
-    Some(-rows.jacobian.lu().solve(&rows.along)?)
+fn correction(
+    z: &Column,
+    points: &Displacements,
+    change: Option<&Displacements>,
+) -> Option<Correction> {
+    let rows = rows(z, points, change);
+    let factors = rows.jacobian.lu();
+    let step = factors.solve(&rows.values)?;
+    let size = step.norm() / z.norm();
+    let slope = match change {
+        Some(_) => -factors.solve(&rows.along)?,
+        None => rows.along,
+    };
+    size.is_finite().then_some(Correction { step, size, slope })
 }
 
 /// A root brought to round-off.
@@ -122,7 +133,7 @@ pub fn polished(rough: Unknowns, points: &Displacements) -> Option<Unknowns> {
     let mut z = Column::from(rough);
     let mut last = f64::INFINITY;
     for _ in 0..20 {
-        let (step, size) = correction(&z, points)?;
+        let Correction { step, size, .. } = correction(&z, points, None)?;
         z -= step;
         if size <= ROUND_OFF || size >= last && size <= 1e-9 {
             return Some(z.into());
@@ -142,7 +153,7 @@ pub fn follow(root: Unknowns, from: &Displacements, to: &Displacements) -> End {
         std::array::from_fn(|j| std::array::from_fn(|i| to[j][i] - from[j][i]));
     let (mut s, mut step) = (0.0_f64, 0.01_f64);
     let mut z = Column::from(root);
-    let Some(mut slope) = tangent(&z, from, &change) else {
+    let Some(Correction { mut slope, .. }) = correction(&z, from, Some(&change)) else {
         return End::Lost;
     };
     // The point before, its slope, and how far back it is.
@@ -154,8 +165,8 @@ pub fn follow(root: Unknowns, from: &Displacements, to: &Displacements) -> End {
             Some((old, bend, back)) => hermite((old, bend), (&z, &slope), *back, length),
         };
         let points = between(from, to, s + length);
-        match corrected(guess, &points) {
-            Some((next, first)) => {
+        match corrected(guess, &points, &change) {
+            Some((next, first, own)) => {
                 let is_end = s + length >= 1.0;
                 if is_end {
                     return match polished(next.into(), to) {
@@ -163,9 +174,6 @@ pub fn follow(root: Unknowns, from: &Displacements, to: &Displacements) -> End {
                         _ => End::Singular,
                     };
                 }
-                let Some(own) = tangent(&next, &points, &change) else {
-                    return End::Lost;
-                };
                 before = Some((z, slope, length));
                 (z, slope, s) = (next, own, s + length);
                 // The error grows as the fourth power of the step.
@@ -196,26 +204,34 @@ fn hermite(old: (&Column, &Column), new: (&Column, &Column), back: f64, ahead: f
         + new.1 * weight((t3 - t2) * back)
 }
 
-/// Corrected, and the size of the first correction; `None` if the step was too long.
-fn corrected(mut z: Column, points: &Displacements) -> Option<(Column, f64)> {
-    let (step, first) = correction(&z, points)?;
+/// Corrected, the size of the first correction, and the slope; `None` if the step was too long.
+fn corrected(
+    mut z: Column,
+    points: &Displacements,
+    change: &Displacements,
+) -> Option<(Column, f64, Column)> {
+    let Correction {
+        step,
+        size: first,
+        mut slope,
+    } = correction(&z, points, Some(change))?;
     if first > NEAR {
         return None;
     }
     z -= step;
     let mut last = first;
     for _ in 0..3 {
-        if last <= 1e-10 {
+        if last <= ENOUGH {
             break;
         }
-        let (step, size) = correction(&z, points)?;
-        if size > (FASTER * last).max(NOISE) {
+        let next = correction(&z, points, Some(change))?;
+        if next.size > (FASTER * last).max(NOISE) {
             return None;
         }
-        z -= step;
-        last = size;
+        z -= next.step;
+        (last, slope) = (next.size, next.slope);
     }
-    Some((z, first))
+    Some((z, first, slope))
 }
 
 /// Whether the Jacobian is regular, its columns measured by the unknowns.

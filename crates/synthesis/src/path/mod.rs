@@ -39,7 +39,7 @@ pub const POINTS: usize = 9;
 pub const CURVES: usize = 1442;
 
 /// Routes that are taken at most, until all curves are found.
-const ROUTES: usize = 5;
+const ROUTES: usize = 6;
 
 /// How far, in parts of its size, a number may be from the conjugate of its bar, and still be real.
 const REAL_PATH: f64 = 1e-8;
