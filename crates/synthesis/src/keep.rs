@@ -62,10 +62,12 @@ impl Residual {
     /// Those of the lengths of all moving bodies.
     pub fn of_lengths(linkage: &Linkage, [low, high]: [f64; 2]) -> Vec<Residual> {
         let (low, high) = (low * (1.0 + MARGIN), high * (1.0 - MARGIN));
+        // Where the limits are next to each other, their middle is aimed at.
+        let middle = 0.5 * (low + high);
+        let (low, high) = (low.min(middle), high.max(middle));
         let of = |(from, a): (usize, Number), (to, b): (usize, Number)| {
             let length = (b - a).norm();
-            // Where the limits are next to each other, their middle is aimed at.
-            let over = length - length.clamp(low.min(high), high.max(low));
+            let over = length - length.clamp(low, high);
             if over == 0.0 || length == 0.0 {
                 return Residual::default();
             }

@@ -296,6 +296,18 @@ fn what_is_kept_changes_with_pins_and_bodies_as_differences_say() {
 }
 
 #[test]
+fn limits_next_to_each_other_are_aimed_at_in_their_middle() {
+    // The crank is 1 long.
+    let over = |limits: [f64; 2]| Residual::of_lengths(&KNOWN.linkage(0.3), limits)[0].value;
+    assert!(
+        over([0.995, 1.005]).abs() < 0.01,
+        "{}",
+        over([0.995, 1.005])
+    );
+    assert!(over([1.002, 1.01]) < 0.0 && over([0.99, 0.998]) > 0.0);
+}
+
+#[test]
 fn a_fit_keeps_lengths_and_the_angle_of_transmission() {
     // Four points leave dimensions free, so that some linkage passes them and keeps the limits as well.
     let wanted: Vec<Wanted> = (0..4)
